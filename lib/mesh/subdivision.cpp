@@ -2,13 +2,38 @@
 
 #include "base/checkpoint.h"
 #include "medial/error.h"
+#include "mesh/corner_insertion.h"
 #include "mesh/edge_halving.h"
 #include "mesh/edge_list.h"
 
+#include <cstdint>
 #include <new>
+#include <vector>
 
 namespace medial
 {
+namespace
+{
+
+/// Inserts corners of triangles without area into the edges they lie on. If such triangles were
+/// halved, their parts would be in each other's way: points of different edges at the same place.
+void insertCorners(double maxEdge, const Checkpoint& checkpoint, TriangleMesh& mesh)
+{
+  const auto numberOf = [](int point) { return std::int64_t{ point }; };
+  const auto pointOf = [](const CornerOnEdge& corner, int, int)
+  { return static_cast<int>(corner.corner); };
+  for (int round = 0; round < kMaxInsertions; ++round)
+  {
+    const std::vector<CornerOnEdge> corners = cornersOnEdges(mesh, numberOf, checkpoint);
+    if (corners.empty() || !hasUsableTriangle(mesh))
+    {
+      return;
+    }
+    CornerInsertion(corners).divide(maxEdge, numberOf, pointOf, checkpoint, mesh);
+  }
+}
+
+} // namespace
 
 Subdivision subdivide(const TriangleMesh& mesh, double maxEdge, const Execution& execution)
 {
@@ -19,6 +44,7 @@ Subdivision subdivide(const TriangleMesh& mesh, double maxEdge, const Execution&
   {
     Subdivision result;
     result.mesh = mesh;
+    insertCorners(maxEdge, checkpoint, result.mesh);
     bool changed = true;
     while (changed)
     {

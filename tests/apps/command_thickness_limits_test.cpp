@@ -99,6 +99,34 @@ TEST_F(CommandThicknessLimits, ThinRegionsAreATableAFileAReportAndAnExitCode)
   EXPECT_NEAR(surface->GetCellData()->GetArray("Thickness")->GetRange()[0], 1.0, 1e-6);
 }
 
+// As files of CAD programs have them: divided, they were thin places.
+TEST_F(CommandThicknessLimits, TrianglesWithoutAreaAreNoThinPlaces)
+{
+  const TriangleMesh plate = turned(turned(box({ 5.0, 3.0, 0.1 }), 0, 0.7), 2, 1.1);
+  const std::string dirty = folder.file("dirty.obj");
+  writeFile(dirty, objText(withFlatTriangles(plate, 40, 0.0, 5)));
+  for (const std::string method : { "ball", "ray", "wall" })
+  {
+    RunOptions options;
+    options.folder = folder.path();
+    const Outcome outcome = runMedialAxis(
+      { dirty, "--thickness-method", method, "--min-thickness", "0.3", "--report", "r.json" },
+      options);
+    EXPECT_EQ(outcome.exitCode, kBeyondLimits);
+    EXPECT_TRUE(contains(outcome.out, "without area")) << outcome.out;
+    const Json regions = Json::parse(readFile(folder.file("r.json")))["thickness"]["regions"];
+    ASSERT_EQ(regions.size(), method == "wall" ? 1U : 2U) << outcome.out;
+    double area = 0.0;
+    for (const Json& region : regions)
+    {
+      EXPECT_NEAR(region["value"].get<double>(), 0.2, 1e-4);
+      area += region["area"].get<double>();
+    }
+    EXPECT_NEAR(area, method == "wall" ? 126.4 : (method == "ball" ? 114.0 : 120.0),
+      method == "ball" ? 2.0 : 1e-2);
+  }
+}
+
 TEST_F(CommandThicknessLimits, ALimitBeyondTheDiagonalIsNoted)
 {
   const Outcome outcome = check({ "--min-thickness", "200%" });

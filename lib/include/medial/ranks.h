@@ -107,7 +107,8 @@ struct PieceSubdivision
   /// The points of the original come first, new ones after them; the cells of triangles are those
   /// of the original. Points have the numbers of the mesh that one process makes of the whole.
   SurfacePiece piece;
-  /// Per new point, the two points, with lower ids, that it is in the middle of.
+  /// Per new point, the two points, with lower ids, that it is in the middle of, or somewhere
+  /// between if it is a corner of a triangle without area in another piece.
   std::vector<std::array<int, 2>> parents;
 };
 

@@ -1,11 +1,14 @@
 #include "base/checkpoint.h"
 #include "base/run.h"
 #include "medial/ranks.h"
+#include "mesh/corner_insertion.h"
 #include "mesh/edge_halving.h"
 #include "ranks/collective.h"
 #include "ranks/surface/distributed_surface.h"
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <unordered_map>
 #include <vector>
@@ -14,6 +17,54 @@ namespace medial
 {
 namespace
 {
+
+/// Numbers the points of a piece as in the whole. The same points are one from then on, but no
+/// others: new points of bodies that touch stay apart, as in one process.
+void numberPiece(const DistributedSurface& surface, SurfacePiece& piece)
+{
+  piece.pointOrder.assign(surface.pointsOfPiece().begin(), surface.pointsOfPiece().end());
+  piece.weld = false;
+}
+
+/// Inserts corners of triangles without area into the edges they lie on, as in one process. A piece
+/// gets those of others.
+/// @return whether there were any.
+bool insertOnce(Communicator& communicator, double maxEdge, const Checkpoint& checkpoint,
+  PieceSubdivision& result)
+{
+  SurfacePiece& piece = result.piece;
+  const bool usable = maximum(communicator, hasUsableTriangle(piece.mesh) ? 1 : 0) != 0;
+  const auto found = cornersOnEdges(
+    piece.mesh, [](int point) { return std::int64_t{ point }; }, checkpoint)
+                       .size();
+  if (!usable || maximum(communicator, found) == 0)
+  {
+    return false;
+  }
+  numberPiece(DistributedSurface(communicator, piece), piece);
+  const auto numberOf = [&piece](int point) { return piece.pointOrder[point]; };
+  const CornerInsertion insertion(
+    flattened(gathered(communicator, cornersOnEdges(piece.mesh, numberOf, checkpoint))));
+  std::unordered_map<std::int64_t, int> points;
+  for (std::size_t point = 0; point < piece.pointOrder.size(); ++point)
+  {
+    points.insert({ piece.pointOrder[point], static_cast<int>(point) });
+  }
+  const auto pointOf = [&](const CornerOnEdge& corner, int a, int b)
+  {
+    const auto next = static_cast<int>(piece.mesh.points.size());
+    const auto [point, isNew] = points.insert({ corner.corner, next });
+    if (isNew)
+    {
+      piece.mesh.points.push_back(corner.position);
+      piece.pointOrder.push_back(corner.corner);
+      result.parents.push_back({ a, b });
+    }
+    return point->second;
+  };
+  insertion.divide(maxEdge, numberOf, pointOf, checkpoint, piece.mesh);
+  return true;
+}
 
 /// Numbers the points of a piece as in the whole, and halves its long edges once. An edge has the
 /// same number on all ranks, and edges come in the order in which one process halves them: so a new
@@ -24,8 +75,7 @@ bool halveOnce(Communicator& communicator, double maxEdge, const Checkpoint& che
 {
   SurfacePiece& piece = result.piece;
   const DistributedSurface surface(communicator, piece);
-  piece.pointOrder.assign(surface.pointsOfPiece().begin(), surface.pointsOfPiece().end());
-  piece.weld = false; // new points of bodies that touch stay apart, as in one process
+  numberPiece(surface, piece);
   const std::vector<std::array<int, 3>> edges =
     surface.edgesOfPiece(communicator, piece.mesh.triangles.size());
   std::unordered_map<int, int> middles; // by the edge
@@ -58,6 +108,13 @@ PieceSubdivision subdivide(Communicator& communicator, const SurfacePiece& piece
       requireMaxEdge(maxEdge);
       const Checkpoint checkpoint(Run(execution), 0.0, "subdivision");
       result.piece = piece;
+      for (int round = 0; round < kMaxInsertions; ++round)
+      {
+        if (!insertOnce(communicator, maxEdge, checkpoint, result))
+        {
+          break;
+        }
+      }
       do
       {
         const std::vector<double> needed{ trianglesNeeded(result.piece.mesh, maxEdge) };

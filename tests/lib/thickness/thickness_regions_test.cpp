@@ -2,6 +2,7 @@
 #include "medial/thickness_regions.h"
 
 #include "medial/error.h"
+#include "medial/subdivision.h"
 
 #include "support/errors.h"
 #include "support/medial_truth.h"
@@ -291,6 +292,47 @@ TEST(ThicknessRegions, APlaceIsWhereTheValueIs)
   EXPECT_NEAR(found[0].place[0], -1.0, 1e-9);
   EXPECT_NEAR(found[2].value, 0.42, 0.001);
   EXPECT_NEAR(found[2].place[0], 1.0, 1e-9);
+}
+
+// Their parts would have normals of rounding errors, and lie on those of other edges.
+TEST(ThicknessRegions, TrianglesWithoutAreaChangeNothing)
+{
+  const TriangleMesh plate = box({ 5.0, 3.0, 0.1 });
+  const TriangleMesh tilted = translated(turned(turned(plate, 0, 0.7), 2, 1.1), { 70, -30, 9 });
+  for (const TriangleMesh& clean : { plate, tilted })
+  {
+    for (const double height : { 0.0, 1e-14, 1e-11, 1e-6 })
+    {
+      const TriangleMesh dirty = withFlatTriangles(clean, height > 1e-9 ? 6 : 40, height, 5);
+      ASSERT_GT(height > 0.0 ? 1 : dirty.degenerateTriangles, 0);
+      for (const ThicknessMethod method : kMethods)
+      {
+        const bool wall = method == ThicknessMethod::Wall;
+        const bool ball = method == ThicknessMethod::Ball;
+        const std::string what = "method " + std::to_string(static_cast<int>(method)) +
+          ", height " + std::to_string(height);
+        const Measured measured(subdivide(dirty, 0.5).mesh, method);
+        const Regions thin = measured.thin(0.3);
+        ASSERT_EQ(thin.size(), wall ? 1U : 2U) << what << "\n" << textOf(thin);
+        double area = 0.0;
+        for (const ThicknessRegion& region : thin)
+        {
+          EXPECT_NEAR(region.value, 0.2, 1e-4) << what;
+          area += region.area;
+        }
+        // Balls are smaller beside edges: these do not count.
+        EXPECT_NEAR(area, wall ? 126.4 : (ball ? 115.0 : 120.0), ball ? 4.0 : 1e-2) << what;
+        const Regions thick = measured.beyond({ std::nullopt, 0.3 });
+        double narrow = 0.0; // sides, along which rays go from end to end
+        for (const ThicknessRegion& region : thick)
+        {
+          narrow += region.area;
+        }
+        EXPECT_NEAR(narrow, method == ThicknessMethod::Ray ? 6.4 : 0.0, 1e-2) << what << "\n"
+                                                                              << textOf(thick);
+      }
+    }
+  }
 }
 
 TEST(ThicknessRegions, AThickBlockIsFound)

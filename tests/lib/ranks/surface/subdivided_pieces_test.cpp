@@ -6,6 +6,7 @@
 #include "lib/ranks/pieces.h"
 #include "lib/ranks/same_bits.h"
 #include "lib/ranks/simulated_ranks.h"
+#include "support/point_math.h"
 #include "support/shapes.h"
 #include "support/transforms.h"
 
@@ -38,8 +39,10 @@ void add(const TriangleMesh& mesh, const NumberOf& numberOf, Triangles& triangle
   }
 }
 
-/// Expects the points of a piece where the whole has them, new ones in the middle of their parents.
-void expectPoints(const PieceSubdivision& fine, const TriangleMesh& whole)
+/// Expects the points of a piece where the whole has them, new ones in the middle of their parents,
+/// but corners of other pieces between them.
+/// @param known number of the points of the undivided whole.
+void expectPoints(const PieceSubdivision& fine, const TriangleMesh& whole, std::size_t known)
 {
   const SurfacePiece& piece = fine.piece;
   ASSERT_EQ(piece.pointOrder.size(), piece.mesh.points.size());
@@ -54,6 +57,14 @@ void expectPoints(const PieceSubdivision& fine, const TriangleMesh& whole)
     const auto& [a, b] = fine.parents[i];
     EXPECT_LT(a, static_cast<int>(original + i));
     EXPECT_LT(b, static_cast<int>(original + i));
+    if (piece.pointOrder[original + i] < static_cast<std::int64_t>(known))
+    {
+      const Point3& corner = piece.mesh.points[original + i];
+      const double length = distance(piece.mesh.points[a], piece.mesh.points[b]);
+      EXPECT_LT(distance(corner, piece.mesh.points[a]), length);
+      EXPECT_LT(distance(corner, piece.mesh.points[b]), length);
+      continue;
+    }
     for (int axis = 0; axis < 3; ++axis)
     {
       EXPECT_EQ(piece.mesh.points[original + i][axis],
@@ -80,7 +91,7 @@ void expectThatOfOneProcess(const TriangleMesh& mesh, double maxEdge, int ranks,
   for (const PieceSubdivision& fine : pieces)
   {
     EXPECT_FALSE(fine.piece.weld);
-    expectPoints(fine, whole);
+    expectPoints(fine, whole, mesh.points.size());
     add(
       fine.piece.mesh, [&](int point) { return fine.piece.pointOrder[point]; }, found);
   }
@@ -142,28 +153,45 @@ TEST(SubdividedPieces, OfTrianglesOfAllSizesAreThoseOfOneProcess)
   expectThatOfOneProcess(numbered(torus(0.8, 0.23, 24, 9)), 0.1);
 }
 
+// Corners on edges of other pieces.
+TEST(SubdividedPieces, OfTrianglesWithoutAreaAreThoseOfOneProcess)
+{
+  for (const unsigned int seed : { 1U, 2U, 3U })
+  {
+    const TriangleMesh mesh = withFlatTriangles(touchingBoxes(), 30, 0.0, seed);
+    EXPECT_GT(mesh.degenerateTriangles, 5);
+    for (const double maxEdge : { 5.0, 0.4 })
+    {
+      expectThatOfOneProcess(mesh, maxEdge);
+    }
+  }
+}
+
 TEST(SubdividedPieces, HaveTheThicknessOfOneProcess)
 {
-  const TriangleMesh mesh = touchingBoxes();
   ThicknessOptions options;
   options.method = ThicknessMethod::Wall;
   options.execution.threads = 1;
-  const Thickness whole = computeThickness(subdivide(mesh, 0.4).mesh, options);
-  for (const int ranks : { 1, 2, 3, 7 })
+  const TriangleMesh clean = touchingBoxes();
+  for (const TriangleMesh& mesh : { clean, withFlatTriangles(clean, 30, 0.0, 1) })
   {
-    SimulatedRanks(ranks).run(
-      [&](Communicator& communicator)
-      {
-        const SurfacePiece piece = pieceOf(mesh, communicator.rank(), atRandom(ranks));
-        const SurfacePiece fine = subdivide(communicator, piece, 0.4).piece;
-        const Thickness part = computeThickness(communicator, fine, options);
-        EXPECT_EQ(part.points, whole.points);
-        ASSERT_EQ(part.values.size(), fine.pointOrder.size());
-        for (std::size_t i = 0; i < part.values.size(); ++i)
+    const Thickness whole = computeThickness(subdivide(mesh, 0.4).mesh, options);
+    for (const int ranks : { 1, 2, 3, 7 })
+    {
+      SimulatedRanks(ranks).run(
+        [&](Communicator& communicator)
         {
-          EXPECT_TRUE(sameBits(part.values[i], whole.values[fine.pointOrder[i]]));
-        }
-      });
+          const SurfacePiece piece = pieceOf(mesh, communicator.rank(), atRandom(ranks));
+          const SurfacePiece fine = subdivide(communicator, piece, 0.4).piece;
+          const Thickness part = computeThickness(communicator, fine, options);
+          EXPECT_EQ(part.points, whole.points);
+          ASSERT_EQ(part.values.size(), fine.pointOrder.size());
+          for (std::size_t i = 0; i < part.values.size(); ++i)
+          {
+            EXPECT_TRUE(sameBits(part.values[i], whole.values[fine.pointOrder[i]]));
+          }
+        });
+    }
   }
 }
 
