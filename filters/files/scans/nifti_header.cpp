@@ -104,7 +104,12 @@ ScanFrame frameOf(const NiftiBytes& bytes)
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     const double step = std::abs(bytes.real(80 + 4 * axis));
-    spacing[axis] = step > 0.0 ? step : 1.0;
+    if (!(step > 0.0))
+    {
+      refuseContent("its axis " + std::to_string(axis) +
+        " has no spacing (pixdim is 0), and the header no sform");
+    }
+    spacing[axis] = step;
   }
   if (bytes.int16(252) > 0)
   {

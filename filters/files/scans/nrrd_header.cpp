@@ -5,6 +5,7 @@
 
 #include <vtkType.h>
 
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -59,10 +60,64 @@ ScanEncoding encodingOf(const std::string& name)
   refuseContent("its encoding is '" + name + "', allowed: raw, gzip, ascii");
 }
 
+// The numbers of a field that has one for each axis; NaN where an axis has none.
+std::vector<double> perAxis(const HeaderFields& fields, const std::string& key, std::size_t axes)
+{
+  std::vector<double> numbers(axes, std::nan(""));
+  const std::vector<std::string> words = wordsOf(fieldOf(fields, key));
+  for (std::size_t axis = 0; axis < words.size() && axis < axes; ++axis)
+  {
+    if (lowerCase(words[axis]) != "nan")
+    {
+      numbers[axis] = numbersOf({ { key, words[axis] } }, key).front();
+    }
+  }
+  return numbers;
+}
+
+// The samples along an axis without a direction: where the first one lies, and the step to the
+// next.
+struct Samples
+{
+  double first = std::nan(""); // where the header does not say it
+  double step = 1.0;
+};
+
+// By 'spacings', 'axis mins' and 'axis maxs'. Samples are in the middles of cells, and the least
+// and the greatest position at the ends of cells, unless 'centers' says that these are samples.
+std::vector<Samples> samplesOf(const HeaderFields& fields, const std::vector<std::int64_t>& sizes)
+{
+  const std::vector<double> spacings = perAxis(fields, "spacings", sizes.size());
+  const std::vector<double> mins = perAxis(fields, "axis mins", sizes.size());
+  const std::vector<double> maxs = perAxis(fields, "axis maxs", sizes.size());
+  const std::vector<std::string> centers = wordsOf(lowerCase(fieldOf(fields, "centers")));
+  std::vector<Samples> samples(sizes.size());
+  for (std::size_t axis = 0; axis < sizes.size(); ++axis)
+  {
+    const bool atNodes = axis < centers.size() && centers[axis] == "node";
+    const auto steps = static_cast<double>(sizes[axis] - (atNodes ? 1 : 0));
+    if (std::isnan(mins[axis]) && !std::isnan(maxs[axis]))
+    {
+      refuseContent(
+        "'axis maxs' has a number for axis " + std::to_string(axis) + ", but 'axis mins' has none");
+    }
+    if (!std::isnan(spacings[axis]))
+    {
+      samples[axis].step = spacings[axis];
+    }
+    else if (!std::isnan(maxs[axis]) && steps > 0.0)
+    {
+      samples[axis].step = (maxs[axis] - mins[axis]) / steps;
+    }
+    samples[axis].first = mins[axis] + (atNodes ? 0.0 : 0.5 * samples[axis].step);
+  }
+  return samples;
+}
+
 // The steps along each axis that is one of space; empty where the axis is none.
 using Steps = std::vector<std::vector<double>>;
 
-Steps directionsOf(const HeaderFields& fields, std::size_t axes)
+Steps directionsOf(const HeaderFields& fields, const std::vector<Samples>& samples)
 {
   Steps steps;
   if (fields.count("space directions") > 0)
@@ -88,23 +143,24 @@ Steps directionsOf(const HeaderFields& fields, std::size_t axes)
   }
   else
   {
-    std::vector<double> spacings(axes, 1.0);
-    const std::vector<std::string> words = wordsOf(fieldOf(fields, "spacings"));
-    for (std::size_t axis = 0; axis < words.size() && axis < axes; ++axis)
-    {
-      if (lowerCase(words[axis]) != "nan")
-      {
-        spacings[axis] = numbersOf({ { "spacings", words[axis] } }, "spacings").front();
-      }
-    }
-    for (std::size_t axis = 0; axis < axes; ++axis)
+    for (std::size_t axis = 0; axis < samples.size(); ++axis)
     {
       std::vector<double> step(3, 0.0);
-      step[axis % 3] = spacings[axis];
+      step[axis % 3] = samples[axis].step;
       steps.push_back(std::move(step));
     }
   }
   return steps;
+}
+
+// Some fields have two names.
+std::string nameOf(const std::string& field)
+{
+  static const std::map<std::string, std::string> kNames = { { "axismins", "axis mins" },
+    { "axismaxs", "axis maxs" }, { "centerings", "centers" }, { "datafile", "data file" },
+    { "lineskip", "line skip" }, { "byteskip", "byte skip" } };
+  const auto found = kNames.find(field);
+  return found == kNames.end() ? field : found->second;
 }
 
 HeaderFields readFields(HeaderLines& lines)
@@ -118,9 +174,32 @@ HeaderFields readFields(HeaderLines& lines)
     {
       continue;
     }
-    fields[lowerCase(line.substr(0, colon))] = trimmed(line.substr(colon + 1));
+    fields[nameOf(lowerCase(line.substr(0, colon)))] = trimmed(line.substr(colon + 1));
   }
   return fields;
+}
+
+// Where the first sample lies: in space, or else along each axis.
+std::array<double, 3> originOf(const HeaderFields& fields, const std::vector<Samples>& samples)
+{
+  const std::vector<double> origin = numbersOf(fields, "space origin");
+  if (!origin.empty() && origin.size() != 3)
+  {
+    refuseContent("'space origin' has " + std::to_string(origin.size()) + " numbers, not three");
+  }
+  const bool inSpace = !origin.empty() || fields.count("space directions") > 0;
+  std::array<double, 3> first{};
+  for (std::size_t axis = 0; axis < samples.size() && axis < 3; ++axis)
+  {
+    const bool hasFirst = !std::isnan(samples[axis].first);
+    if (inSpace && hasFirst)
+    {
+      refuseContent("'axis mins' and 'space " +
+        std::string(origin.empty() ? "directions" : "origin") + "' exclude each other");
+    }
+    first[axis] = hasFirst ? samples[axis].first : 0.0;
+  }
+  return origin.empty() ? first : std::array<double, 3>{ origin[0], origin[1], origin[2] };
 }
 
 // Sets sizes and the frame, of three axes.
@@ -132,7 +211,8 @@ void setSpace(const HeaderFields& fields, ScanHeader& header)
     refuseContent("'dimension' is '" + fieldOf(fields, "dimension") + "', but there are " +
       std::to_string(sizes.size()) + " sizes");
   }
-  const Steps steps = directionsOf(fields, sizes.size());
+  const std::vector<Samples> samples = samplesOf(fields, sizes);
+  const Steps steps = directionsOf(fields, samples);
   if (steps.size() != sizes.size())
   {
     refuseContent("'space directions' has " + std::to_string(steps.size()) + " vectors for " +
@@ -159,15 +239,7 @@ void setSpace(const HeaderFields& fields, ScanHeader& header)
   {
     refuseContent("has " + std::to_string(used) + " axes of space; three are needed");
   }
-  const std::vector<double> origin = numbersOf(fields, "space origin");
-  if (!origin.empty() && origin.size() != 3)
-  {
-    refuseContent("'space origin' has " + std::to_string(origin.size()) + " numbers, not three");
-  }
-  header.frame =
-    makeFrame(origin.empty() ? std::array<double, 3>{}
-                             : std::array<double, 3>{ origin[0], origin[1], origin[2] },
-      frame);
+  header.frame = makeFrame(originOf(fields, samples), frame);
 }
 
 } // namespace
@@ -186,8 +258,8 @@ ScanHeader parseNrrdHeader(std::string_view content)
   header.scalarType = typeOf(lowerCase(fieldOf(fields, "type")));
   header.encoding = encodingOf(lowerCase(fieldOf(fields, "encoding", "raw")));
   header.bigEndian = lowerCase(fieldOf(fields, "endian")) == "big";
-  header.file = fieldOf(fields, "data file", fieldOf(fields, "datafile"));
-  for (const char* skip : { "line skip", "lineskip", "byte skip", "byteskip" })
+  header.file = fieldOf(fields, "data file");
+  for (const char* skip : { "line skip", "byte skip" })
   {
     const std::string bytes = fieldOf(fields, skip, "0");
     if (bytes == "-1" && std::string_view(skip).substr(0, 4) == "byte")

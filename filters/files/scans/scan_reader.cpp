@@ -62,6 +62,44 @@ vtkSmartPointer<vtkDataArray> fromBytes(const ScanHeader& header, std::string_vi
   return array;
 }
 
+// A value of a text, without a detour over a double where this has not all 64-bit integers.
+// @return what is behind it; null if there is no number.
+const char* readValue(const char* position, const char* end, vtkIdType i, vtkDataArray* values)
+{
+  const auto readWhole = [&](auto whole) -> const char*
+  {
+    const auto [after, error] = std::from_chars(position, end, whole);
+    if (error != std::errc() ||
+      (after != end && std::string_view(".eE").find(*after) != std::string_view::npos))
+    {
+      return nullptr;
+    }
+    static_cast<decltype(whole)*>(values->GetVoidPointer(i))[0] = whole;
+    return after;
+  };
+  const char* behind = nullptr;
+  if (values->GetDataType() == VTK_TYPE_INT64)
+  {
+    behind = readWhole(vtkTypeInt64{});
+  }
+  else if (values->GetDataType() == VTK_TYPE_UINT64)
+  {
+    behind = readWhole(vtkTypeUInt64{});
+  }
+  if (behind != nullptr)
+  {
+    return behind;
+  }
+  double value = 0.0;
+  const auto [after, error] = std::from_chars(position, end, value);
+  if (error != std::errc())
+  {
+    return nullptr;
+  }
+  values->SetComponent(i, 0, value);
+  return after;
+}
+
 vtkSmartPointer<vtkDataArray> fromText(const ScanHeader& header, std::string_view text)
 {
   requireBytes(text, 2 * header.voxels() - 1); // a digit and a blank each
@@ -75,14 +113,11 @@ vtkSmartPointer<vtkDataArray> fromText(const ScanHeader& header, std::string_vie
     {
       ++position;
     }
-    double value = 0.0;
-    const auto [after, error] = std::from_chars(position, end, value);
-    if (error != std::errc())
+    position = readValue(position, end, i, array);
+    if (position == nullptr)
     {
       refuseContent("value " + std::to_string(i) + " is missing, or no number");
     }
-    array->SetComponent(i, 0, value);
-    position = after;
   }
   return array;
 }

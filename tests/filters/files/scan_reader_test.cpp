@@ -189,6 +189,57 @@ TEST(ScanReader, RefusesDamagedNrrd)
   EXPECT_TRUE(contains(refusedNrrd({ "space origin: (", "space origin: (nan," }), "not finite"));
 }
 
+// Along three axes without directions.
+std::string nrrdWithAxes(const std::string& fields)
+{
+  return "NRRD0001\ntype: uchar\ndimension: 3\nsizes: 2 4 5\n" + fields + "\nencoding: raw\n\n" +
+    std::string(40, '\1');
+}
+
+void expectAxes(const std::string& fields, const std::array<double, 3>& steps,
+  const std::array<double, 3>& first)
+{
+  const files::ScanFrame frame = readText("a.nrrd", nrrdWithAxes(fields)).frame;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    EXPECT_DOUBLE_EQ(frame[axis][axis], steps[axis]) << fields;
+    EXPECT_DOUBLE_EQ(frame[axis][3], first[axis]) << fields;
+  }
+}
+
+TEST(ScanReader, PlacesNrrdByTheEndsOfItsAxes)
+{
+  expectAxes("spacings: 1 2 3", { 1.0, 2.0, 3.0 }, { 0.0, 0.0, 0.0 });
+  expectAxes("spacings: 1 2 3\naxis mins: 100 200 300", { 1.0, 2.0, 3.0 }, { 100.5, 201.0, 301.5 });
+  expectAxes("spacings: 1 2 3\naxis mins: 100 200 300\ncenters: node cell node", { 1.0, 2.0, 3.0 },
+    { 100.0, 201.0, 300.0 });
+  expectAxes("axis mins: 0 0 0\naxis maxs: 1 8 -5", { 0.5, 2.0, -1.0 }, { 0.25, 1.0, -0.5 });
+  expectAxes("axismins: 7 0 nan\naxismaxs: 8 9 nan\ncenterings: node node node", { 1.0, 3.0, 1.0 },
+    { 7.0, 0.0, 0.0 });
+}
+
+TEST(ScanReader, RefusesEndsOfAxesThatSayTooLittleOrTooMuch)
+{
+  EXPECT_EQ(refusal("a.nrrd", nrrdWithAxes("axis maxs: 2 4 5")),
+    "a.nrrd: 'axis maxs' has a number for axis 0, but 'axis mins' has none");
+  EXPECT_EQ(refusedNrrd({ "endian", "axis mins: 1 2 3\nendian" }),
+    "a.nrrd: 'axis mins' and 'space origin' exclude each other");
+  EXPECT_EQ(refusal("a.nrrd", nrrdWithAxes("axis mins: 0 0 0\naxis maxs: 0 4 5")),
+    "a.nrrd: its axes span no volume, or it is infinitely far away");
+}
+
+// Doubles have whole numbers exactly up to 2^53.
+TEST(ScanReader, ReadsLargeIntegersOfTextExactly)
+{
+  const Scan scan = readText("a.nrrd",
+    "NRRD0004\ntype: int64\ndimension: 3\nsizes: 3 1 1\nencoding: ascii\n\n"
+    "9007199254740993 -9007199254740993 2.0\n");
+  const auto* const values = static_cast<const std::int64_t*>(scan.image->GetScalarPointer());
+  EXPECT_EQ(values[0], 9007199254740993);
+  EXPECT_EQ(values[1], -9007199254740993);
+  EXPECT_EQ(values[2], 2);
+}
+
 TEST(ScanReader, RefusesSeveralValuesAVoxelAndMoments)
 {
   std::string colours = nrrdFile(ball(), "raw", { "dimension: 3", "dimension: 4" });
@@ -239,6 +290,10 @@ TEST(ScanReader, RefusesDamagedNifti)
   std::string file = niftiFile(ball(), NiftiSpace::Sform);
   EXPECT_EQ(refusal("a.nii", file.substr(0, 4000)),
     "a.nii: ends early: its header promises 18000 bytes, and 3648 are there");
+  std::string withoutSpacing = niftiFile(ball(), NiftiSpace::Qform);
+  withoutSpacing.replace(84, 4, 4, '\0');
+  EXPECT_EQ(refusal("a.nii", withoutSpacing),
+    "a.nii: its axis 1 has no spacing (pixdim is 0), and the header no sform");
   file[70] = 99;
   EXPECT_EQ(refusal("a.nii", file),
     "a.nii: its data type is 99, which is not a type of one number");
