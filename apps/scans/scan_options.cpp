@@ -32,7 +32,8 @@ void addScanOptions(CLI::App& app, ScanSurface& wanted)
     .add_option("--label", wanted.label,
       "take the boundary of the voxels with this value in a label image")
     ->option_text("N")
-    ->check(within<long long>("the labels of the image", [](long long) { return true; }))
+    ->check(within<long long>("[-9223372036854775808, 9223372036854775807]",
+      [](long long) { return true; }))
     ->excludes(isovalue)
     ->group(group);
   app

@@ -81,7 +81,11 @@ TEST_F(ScanCommand, RefusesScansAndMeshesThatDoNotFitTheirOptions)
     "is the input file itself");
   expectRefusal({ "ball.nrrd", "--label", "5", "-o", "a.vtp" }, 3, "those that occur: 0, 2");
   expectRefusal({ "ball.nrrd", "--label", "2.5", "-o", "a.vtp" }, 2,
-    "--label: 2.5 is not a whole number; allowed: the labels of the image");
+    "--label: 2.5 is not a whole number; allowed: [-9223372036854775808, 9223372036854775807]");
+  expectRefusal({ "ball.nrrd", "--label", "99999999999999999999", "-o", "a.vtp" }, 2,
+    "--label: 99999999999999999999 is outside [-9223372036854775808, 9223372036854775807]");
+  expectRefusal({ "ball.nrrd", "--label=-9223372036854775809", "-o", "a.vtp" }, 2,
+    "--label: -9223372036854775809 is outside [-9223372036854775808, 9223372036854775807]");
   expectRefusal({ "ball.nrrd", "--isovalue", "5", "-o", "a.vtp" }, 3, "its values are in [0, 2]");
   expectRefusal({ "box.obj", "--field", "f.nrrd", "--field-arrays", "closest_cell" }, 2,
     "f.nrrd holds the distance alone");

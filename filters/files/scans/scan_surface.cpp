@@ -1,29 +1,22 @@
 #include "files/scans/scan_surface.h"
 
 #include "files/file_content.h"
+#include "files/scans/number_text.h"
+#include "files/scans/scan_contour.h"
+#include "files/scans/scan_labels.h"
 #include "files/scans/scan_outside.h"
 #include "files/scans/thin_parts.h"
 
-#include <vtkCellArray.h>
-#include <vtkCellArrayIterator.h>
 #include <vtkDataArray.h>
-#include <vtkDoubleArray.h>
-#include <vtkFlyingEdges3D.h>
-#include <vtkImageConstantPad.h>
-#include <vtkImageThreshold.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkReverseSense.h>
 #include <vtkSMPTools.h>
-#include <vtkTriangle.h>
 #include <vtkWindowedSincPolyDataFilter.h>
 
 #include <array>
 #include <cmath>
-#include <locale>
-#include <set>
-#include <sstream>
 #include <string>
 
 namespace fs = std::filesystem;
@@ -38,112 +31,6 @@ std::array<double, 2> rangeOf(vtkImageData* image)
   std::array<double, 2> range{};
   image->GetPointData()->GetScalars()->GetFiniteRange(range.data(), 0);
   return range;
-}
-
-// With at most six significant digits.
-std::string roundedText(double number)
-{
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text << number;
-  return text.str();
-}
-
-// Labels may be large: as an integer where the number is one.
-std::string labelText(double label)
-{
-  constexpr double kEnd = 9223372036854775808.0; // of long long
-  return std::floor(label) == label && std::abs(label) < kEnd
-    ? std::to_string(static_cast<long long>(label))
-    : roundedText(label);
-}
-
-// The values that occur, as many as a message has room for.
-std::string labelsOf(vtkImageData* image)
-{
-  constexpr std::size_t kMost = 20;
-  vtkDataArray* values = image->GetPointData()->GetScalars();
-  std::set<double> labels;
-  for (vtkIdType i = 0; i < values->GetNumberOfTuples() && labels.size() <= kMost; ++i)
-  {
-    const double value = values->GetComponent(i, 0);
-    if (!std::isnan(value)) // which would have no place in the order
-    {
-      labels.insert(value);
-    }
-  }
-  std::string list;
-  std::size_t listed = 0;
-  for (const double label : labels)
-  {
-    if (++listed > kMost)
-    {
-      return list + " and others";
-    }
-    list += (list.empty() ? "" : ", ") + labelText(label);
-  }
-  return list.empty() ? "none" : list;
-}
-
-// Whether voxels of an image can have a label. If they cannot, vtkImageThreshold would take
-// the nearest label that they can have.
-bool canHave(vtkImageData* image, long long label)
-{
-  const auto value = static_cast<double>(label);
-  return image->GetScalarTypeMin() <= value && value <= image->GetScalarTypeMax();
-}
-
-// Flying edges of an image with a layer of outside around it.
-vtkSmartPointer<vtkPolyData> contour(vtkImageData* image, double value, double outside)
-{
-  const int* size = image->GetDimensions();
-  vtkNew<vtkImageConstantPad> padded;
-  padded->SetInputData(image);
-  padded->SetConstant(outside);
-  padded->SetOutputWholeExtent(-1, size[0], -1, size[1], -1, size[2]);
-  vtkNew<vtkFlyingEdges3D> edges;
-  edges->SetInputConnection(padded->GetOutputPort());
-  edges->SetValue(0, value);
-  edges->ComputeNormalsOff();
-  edges->ComputeGradientsOff();
-  edges->ComputeScalarsOff();
-  edges->Update();
-  return edges->GetOutput();
-}
-
-vtkSmartPointer<vtkImageData> maskOf(vtkImageData* image, long long label)
-{
-  vtkNew<vtkImageThreshold> mask;
-  mask->SetInputData(image);
-  mask->ThresholdBetween(static_cast<double>(label), static_cast<double>(label));
-  mask->SetInValue(1.0);
-  mask->SetOutValue(0.0);
-  mask->SetOutputScalarTypeToUnsignedChar();
-  mask->Update();
-  return mask->GetOutput();
-}
-
-// Where the greatest value occurs at single voxels, their surface is nothing but points.
-bool hasArea(vtkPolyData* surface)
-{
-  vtkPoints* points = surface->GetPoints();
-  const auto cells = vtk::TakeSmartPointer(surface->GetPolys()->NewIterator());
-  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
-  {
-    vtkIdType size = 0;
-    const vtkIdType* corners = nullptr;
-    cells->GetCurrentCell(size, corners);
-    std::array<std::array<double, 3>, 3> corner{};
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-      points->GetPoint(corners[i], corner[i].data());
-    }
-    if (vtkTriangle::TriangleArea(corner[0].data(), corner[1].data(), corner[2].data()) > 0.0)
-    {
-      return true;
-    }
-  }
-  return false;
 }
 
 vtkSmartPointer<vtkPolyData> smoothed(vtkPolyData* surface, int iterations)
@@ -240,14 +127,9 @@ vtkSmartPointer<vtkPolyData> inPhysicalSpace(vtkPolyData* surface, const ScanFra
 
 vtkSmartPointer<vtkPolyData> surfaceOfLabel(vtkImageData* image, long long label, int iterations)
 {
-  vtkSmartPointer<vtkPolyData> steps;
-  vtkSmartPointer<vtkImageData> mask;
-  if (canHave(image, label))
-  {
-    mask = maskOf(image, label);
-    steps = contour(mask, 0.5, 0.0);
-  }
-  if (steps == nullptr || steps->GetNumberOfPolys() == 0)
+  const vtkSmartPointer<vtkImageData> mask = maskOfLabel(image, label);
+  const vtkSmartPointer<vtkPolyData> steps = contour(mask, 0.5, 0.0);
+  if (steps == nullptr)
   {
     refuse("has no voxel with the label " + std::to_string(label) +
       "; those that occur: " + labelsOf(image));
@@ -264,6 +146,10 @@ vtkSmartPointer<vtkPolyData> surfaceOfValue(vtkImageData* image, double value, i
 {
   const std::string missing = "has no surface at the isovalue " + roundedText(value);
   const auto [low, high] = rangeOf(image);
+  if (low > high)
+  {
+    refuse(missing + ": none of its values is a finite number");
+  }
   const std::string range =
     ": its values are in [" + roundedText(low) + ", " + roundedText(high) + "]";
   if (!(low < value && value <= high))
@@ -274,7 +160,7 @@ vtkSmartPointer<vtkPolyData> surfaceOfValue(vtkImageData* image, double value, i
   const double outside = isBright ? low : high;
   replaceNan(image, outside);
   const vtkSmartPointer<vtkPolyData> raw = contour(image, value, outside);
-  if (!hasArea(raw))
+  if (raw == nullptr)
   {
     refuse(missing + range);
   }
