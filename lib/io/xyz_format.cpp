@@ -32,18 +32,22 @@ std::string plainName(std::string_view name)
   return lowerCase(std::string(name));
 }
 
-/// The column that a header calls x, y or z, also as "Points:0" or "Points_0" and so on, as
+/// The columns that a header calls x, y or z, also as "Points:0" or "Points_0" and so on, as
 /// ParaView does.
-std::optional<std::size_t> columnNamed(const Fields& names, std::size_t axis)
+std::vector<std::size_t> columnsNamed(const Fields& names, std::size_t axis)
 {
   const std::string number = std::to_string(axis);
   const std::array<std::string, 3> wanted{ std::string(1, static_cast<char>('x' + axis)),
     "points:" + number, "points_" + number };
-  const auto found = std::find_if(names.begin(), names.end(),
-    [&](std::string_view name)
-    { return std::find(wanted.begin(), wanted.end(), plainName(name)) != wanted.end(); });
-  return found == names.end() ? std::nullopt
-                              : std::optional(static_cast<std::size_t>(found - names.begin()));
+  std::vector<std::size_t> columns;
+  for (std::size_t column = 0; column < names.size(); ++column)
+  {
+    if (std::find(wanted.begin(), wanted.end(), plainName(names[column])) != wanted.end())
+    {
+      columns.push_back(column);
+    }
+  }
+  return columns;
 }
 
 /// Whether a field is a number or begins like one, as a misspelt number does.
@@ -60,7 +64,8 @@ bool beginsLikeNumber(std::string_view field)
 /// A first line that may be meant as a point is never taken for names: the point would be lost.
 bool isHeader(const Fields& fields)
 {
-  return (columnNamed(fields, 0) && columnNamed(fields, 1) && columnNamed(fields, 2)) ||
+  return (!columnsNamed(fields, 0).empty() && !columnsNamed(fields, 1).empty() &&
+           !columnsNamed(fields, 2).empty()) ||
     std::none_of(fields.begin(), fields.end(), beginsLikeNumber);
 }
 
@@ -124,14 +129,21 @@ private:
   {
     for (std::size_t axis = 0; axis < kAxes; ++axis)
     {
-      const auto column = columnNamed(fields_, axis);
-      if (!column && width_ > kAxes)
+      const std::vector<std::size_t> columns = columnsNamed(fields_, axis);
+      if (columns.size() > 1)
+      {
+        refuseLine(firstLine_,
+          "names two columns for " + std::string(1, static_cast<char>('x' + axis)) + ", '" +
+            std::string(fields_[columns[0]]) + "' and '" + std::string(fields_[columns[1]]) +
+            "': which one is it?");
+      }
+      if (columns.empty() && width_ > kAxes)
       {
         refuseLine(firstLine_,
           "names " + std::to_string(width_) + " columns, but none '" +
             std::string(1, static_cast<char>('x' + axis)) + "': which ones are x, y and z?");
       }
-      columns_[axis] = column.value_or(axis);
+      columns_[axis] = columns.empty() ? axis : columns.front();
     }
     for (std::size_t axis = 0; axis < kAxes; ++axis)
     {

@@ -99,6 +99,10 @@ TEST(Points, AreRefusedWithTheLineAndTheValue)
   EXPECT_EQ(refusal("a.csv", "z,a,y,x\n1,2,3\n"), "a.csv: line 2: has 3 of 4 columns");
   EXPECT_EQ(refusal("a.csv", "id,px,py,pz\n7,1,2,3\n"),
     "a.csv: line 1: names 4 columns, but none 'x': which ones are x, y and z?");
+  EXPECT_EQ(refusal("a.csv", "x,y,z,x\n1,2,3,4\n"),
+    "a.csv: line 1: names two columns for x, 'x' and 'x': which one is it?");
+  EXPECT_EQ(refusal("a.csv", "x,y,z [mm],Z\n1,2,3,4\n"),
+    "a.csv: line 1: names two columns for z, 'z [mm]' and 'Z': which one is it?");
   EXPECT_EQ(refusal("a.csv", "x;y;z\n0,25;0,5;0,2\n"),
     "a.csv: line 2: has commas and semicolons: numbers need decimal points");
   EXPECT_EQ(refusal("a.xyz", "# nothing\n"), "a.xyz: holds no points");
