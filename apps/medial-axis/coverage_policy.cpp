@@ -26,8 +26,7 @@ AxisCoverage coverageFor(const Options& options,
 
 bool wantsCoverage(const Options& options, Side side)
 {
-  return side == Side::Interior &&
-    (options.wantsWholeCoverage() || (!options.quiet && options.showsAxis()));
+  return side == Side::Interior && (options.wantsWholeCoverage() || !options.quiet);
 }
 
 double coverageReach(const Grid& grid)

@@ -83,12 +83,6 @@ struct Options
   /// Whether the skeleton is to be computed.
   bool wantsSkeleton() const { return !skeleton.empty() || !skeletonTable.empty(); }
 
-  /// Whether some output shows the axis itself, and not only its skeleton.
-  bool showsAxis() const
-  {
-    return !this->wantsSkeleton() || !output.empty() || !curves.empty() || !html.empty();
-  }
-
   /// Whether a grid is needed.
   bool wantsGrid() const { return !field.empty() || !localThickness.empty() || this->wantsAxis(); }
 

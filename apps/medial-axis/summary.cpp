@@ -6,6 +6,7 @@
 #include "output/standard_output.h"
 #include "region_table.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <sstream>
@@ -228,6 +229,24 @@ void printResolutionNote(const Options& options, const SkeletonResolution& chose
   }
 }
 
+// Where the grid is coarser than SKELETON.md asks for.
+void printBranchNote(const Options& options, const Result& result)
+{
+  const auto& spacing = result.grid.spacing;
+  const double widest = *std::max_element(spacing.begin(), spacing.end());
+  const double radius = thinnestRadius(*result.skeleton);
+  if (radius < widest)
+  {
+    const int needed = neededResolution(*result.skeleton, result.mesh.bounds(), options.padding);
+    std::fprintf(stderr,
+      "medial-axis: note: %s: the thinnest branch has a radius of %.4g, less than the distance of "
+      "grid points, %.4g: branches may be missing or stray; it needs %s\n",
+      options.input.c_str(), radius, widest,
+      options.spacing ? ("--spacing " + roundedText(0.25 * radius, 3)).c_str()
+                      : ("--resolution " + std::to_string(needed)).c_str());
+  }
+}
+
 void printSkeletonNote(const Options& options, const Skeleton& skeleton)
 {
   if (skeleton.openedCavities > 0)
@@ -326,7 +345,7 @@ void printNotes(const Options& options, const Result& result, const OutputNotes&
     std::fprintf(stderr, "medial-axis: note: %s: %s\n", options.input.c_str(),
       whatIsMissing(options).c_str());
   }
-  if (result.coverage && options.showsAxis())
+  if (result.coverage)
   {
     printCoverageNote(options, result);
   }
@@ -336,6 +355,10 @@ void printNotes(const Options& options, const Result& result, const OutputNotes&
   }
   if (result.skeleton)
   {
+    if (!result.chosenResolution)
+    {
+      printBranchNote(options, result);
+    }
     printSkeletonNote(options, *result.skeleton);
   }
   if (options.hasThicknessLimits())

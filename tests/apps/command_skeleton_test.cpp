@@ -212,6 +212,38 @@ TEST_F(CommandSkeleton, FindsTheResolutionThatThinBranchesNeed)
   EXPECT_EQ(chosen(0.2), 128);
 }
 
+// Of a skeleton alone, too.
+TEST_F(CommandSkeleton, TellsWhereTheGridIsTooCoarseForIt)
+{
+  const auto notes = [&](std::vector<std::string> arguments)
+  {
+    arguments.insert(arguments.end(), { "--skeleton-table", folder.file("s.csv") });
+    return run(arguments).err;
+  };
+  EXPECT_EQ(notes({ "--resolution", "72" }), "");
+  const std::string coarse = notes({ "--resolution", "8" });
+  EXPECT_TRUE(contains(coarse, input + ": the thinnest branch has a radius of 0.2")) << coarse;
+  const std::string needs = ": branches may be missing or stray; it needs --resolution ";
+  const std::size_t needed = coarse.find(needs);
+  ASSERT_NE(needed, std::string::npos) << coarse;
+  EXPECT_EQ(notes({ "--resolution", coarse.substr(needed + needs.size(), 2) }), "");
+  const std::string far = notes({ "--spacing", "0.3" });
+  EXPECT_TRUE(contains(far, "; it needs --spacing 0.06")) << far;
+  EXPECT_EQ(notes({ "--spacing", "0.06" }), "");
+  EXPECT_EQ(notes({ "--resolution", "8", "-q" }), "");
+}
+
+TEST_F(CommandSkeleton, TellsOfPartsThatItLeavesOut)
+{
+  // A rod that no grid point is in.
+  writeFile(input,
+    objText(
+      appended(box({ 1.0, 1.0, 0.6 }), translated(cylinder(0.04, 6.0, 24), { 0.03, 0.03, 5.0 }))));
+  const Outcome outcome = run({ "--spacing", "0.25", "--skeleton", folder.file("s.vtp") });
+  EXPECT_TRUE(contains(outcome.err, " % of the surface is farther than a voxel's diagonal, 0.433"))
+    << outcome.err;
+}
+
 TEST_F(CommandSkeleton, RefusesWhatDoesNotGoWithIt)
 {
   const std::string file = folder.file("s.vtp");
