@@ -79,32 +79,37 @@ double SolidProbe::wayOut(const glm::dvec3& from, const glm::dvec3& direction, d
 {
   constexpr int kParts = 8;
   constexpr double kPrecision = 1e-5;
+  const double precision = kPrecision * high;
+  // Through an opening the way may leave the solid far from the surface.
+  const double farthest = query_.side().changesOnlyAtSurface() ? high : high / kParts;
   Search search = this->search();
   PointSide::Known known;
-  const bool sealed = query_.side().changesOnlyAtSurface();
-  double in = 0.0; // the way out is no nearer than this
-  double out = high;
-  // Whether the way is outside at a length.
-  const auto look = [&](double length)
+  // From ball to ball, so that no gap is passed over.
+  double in = 0.0;
+  double out = 0.0;
+  double distance = 0.0;
+  const auto isInside = [&](double length)
   {
     const glm::dvec3 x = from + length * direction;
     const SitePoint& closest = search.closest(x);
-    const double distance = sealed ? glm::distance(closest.point, x) : 0.0;
-    const bool outside = !query_.side().contains(x, closest, known);
-    (outside ? out : in) = outside ? std::max(in, length - distance) : length + distance;
-    return outside;
+    distance = glm::distance(closest.point, x);
+    return query_.side().contains(x, closest, known);
   };
-  bool left = false;
-  for (int i = 1; i <= kParts && !left; ++i)
+  while (isInside(out))
   {
-    const double length = high * i / kParts;
-    left = length > in && look(length);
+    in = out;
+    if (in >= high)
+    {
+      return high;
+    }
+    out = std::min(high, in + std::clamp(distance, precision, farthest));
   }
-  while (left && out - in > kPrecision * high)
+  while (out - in > precision)
   {
-    look(0.5 * (in + out));
+    const double middle = 0.5 * (in + out);
+    (isInside(middle) ? in : out) = middle;
   }
-  return left ? std::min(in, out) : high;
+  return in;
 }
 
 glm::dvec3 SolidProbe::widestAcross(Search& search, const glm::dvec3& x, const glm::dvec3& tangent,

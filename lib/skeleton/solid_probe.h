@@ -86,7 +86,7 @@ public:
   }
 
   /// Returns how far one can go along a line from a point inside without leaving the solid, at
-  /// most `high`.
+  /// most `high`. No gap is passed over unless it is narrower than 1e-5 of that.
   double wayOut(const glm::dvec3& from, const glm::dvec3& direction, double high) const;
 
 private:

@@ -2,6 +2,7 @@
 
 #include "base/run.h"
 #include "support/shapes.h"
+#include "support/transforms.h"
 #include "support/tubes.h"
 
 #include <gtest/gtest.h>
@@ -51,6 +52,22 @@ TEST(SolidProbe, FindsTheWayOutOfABox)
   EXPECT_NEAR(asked.wayOut(from, { 0.0, 0.0, 1.0 }, kHigh), 0.3, tolerance);
   EXPECT_NEAR(asked.wayOut(from, { 0.6, 0.0, 0.8 }, kHigh), 0.3 / 0.8, tolerance);
   EXPECT_DOUBLE_EQ(asked.wayOut(from, { 1.0, 0.0, 0.0 }, 1.5), 1.5); // no farther than that
+}
+
+TEST(SolidProbe, LeavesTheSolidThroughNarrowGaps)
+{
+  const TriangleMesh block = box({ 2.0, 1.0, 0.5 });
+  for (const double gap : { 0.5, 0.02, 0.0003 })
+  {
+    SCOPED_TRACE(gap);
+    const TriangleMesh blocks = appended(block, translated(block, { 4.0 + gap, 0.0, 0.0 }));
+    const Asked asked(blocks);
+    for (const double y : { 0.0, 0.9 })
+    {
+      EXPECT_NEAR(asked.wayOut(asked.at(0.3, y, 0.2), { 1.0, 0.0, 0.0 }, 5.0), 1.7, 1e-4);
+      EXPECT_NEAR(asked.wayOut(asked.at(2.3 + gap, y, 0.2), { -1.0, 0.0, 0.0 }, 2.0), 0.3, 1e-4);
+    }
+  }
 }
 
 TEST(SolidProbe, LeavesAnOpenTubeThroughItsEnds)
