@@ -27,8 +27,4 @@ struct NetworkInput
 /// have burned, by more than the steps of the grid explain; the curve is then put back to its end.
 void burnCurves(CurveGraph& graph, const NetworkInput& input, const Checkpoint& checkpoint);
 
-/// Removes edges that are outside the solid, as long as others connect their ends: voxels that
-/// touch across a gap. Those of detours stay, which a long loop makes through the surface and back.
-void openLoops(CurveGraph& graph, const NetworkInput& input);
-
 } // namespace medial

@@ -1,5 +1,7 @@
 #include "skeleton/curve_network.h"
 
+#include "skeleton/open_loops.h"
+
 #include <algorithm>
 #include <cmath>
 #include <unordered_map>

@@ -4,6 +4,7 @@
 #include "support/brute_force.h"
 #include "support/models.h"
 #include "support/shapes.h"
+#include "support/transforms.h"
 #include "support/tubes.h"
 
 #include <vtkCell.h>
@@ -14,6 +15,7 @@
 #include <vtkPolyData.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -242,6 +244,21 @@ TEST_F(CommandSkeleton, TellsOfPartsThatItLeavesOut)
   const Outcome outcome = run({ "--spacing", "0.25", "--skeleton", folder.file("s.vtp") });
   EXPECT_TRUE(contains(outcome.err, " % of the surface is farther than a voxel's diagonal, 0.433"))
     << outcome.err;
+}
+
+TEST_F(CommandSkeleton, EndsStayOnTheirSideOfAGap)
+{
+  const TriangleMesh rod = cylinder(0.5, 5.0, 24);
+  writeFile(input, objText(appended(rod, translated(rod, { 0.0, 0.0, 5.15 }))));
+  run({ "--resolution", "auto", "--skeleton-table", folder.file("s.csv") });
+  const auto rows = readTable(folder.file("s.csv"));
+  ASSERT_EQ(rows.size(), 3u);
+  for (const std::size_t row : { 1, 2 })
+  {
+    EXPECT_EQ(rows[row][1], "isolated");
+    EXPECT_NEAR(std::stod(rows[row][2]), 4.0, 0.05);
+    EXPECT_NEAR(std::stod(rows[row][4]), 0.5, 0.01); // outside of the rods it would be less
+  }
 }
 
 TEST_F(CommandSkeleton, RefusesWhatDoesNotGoWithIt)
