@@ -1,5 +1,7 @@
 #include "skeleton/curve_graph.h"
 
+#include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace medial
@@ -12,7 +14,9 @@ CurveGraph::CurveGraph(const std::vector<NetworkEdge>& edges,
   , offsets_(pointCount + 1, 0)
   , degrees_(pointCount, 0)
   , used_(pointCount, 0)
+  , points_(pointCount)
 {
+  std::iota(points_.begin(), points_.end(), 0);
   for (const NetworkEdge& edge : edges)
   {
     for (const std::int64_t end : edge.ends)
@@ -41,8 +45,11 @@ CurveGraph::CurveGraph(const std::vector<NetworkEdge>& edges,
   }
 }
 
-std::vector<CurvePath> CurveGraph::paths() const
+std::vector<CurvePath> CurveGraph::paths()
 {
+  points_.erase(std::remove_if(points_.begin(), points_.end(),
+                  [this](std::int64_t p) { return used_[p] == 0; }),
+    points_.end());
   std::vector<CurvePath> paths;
   std::vector<char> followed(edges_.size(), 0);
   const auto fresh = [&](int e) { return followed[e] == 0; };
@@ -62,10 +69,9 @@ std::vector<CurvePath> CurveGraph::paths() const
     }
     paths.push_back(std::move(path));
   };
-  const auto points = static_cast<std::int64_t>(degrees_.size());
-  for (std::int64_t p = 0; p < points; ++p)
+  for (const std::int64_t p : points_)
   {
-    if (degrees_[p] == 0 && used_[p] != 0)
+    if (degrees_[p] == 0)
     {
       paths.push_back({ p });
     }
@@ -74,7 +80,7 @@ std::vector<CurvePath> CurveGraph::paths() const
       follow(p);
     }
   }
-  for (std::int64_t p = 0; p < points; ++p)
+  for (const std::int64_t p : points_)
   {
     if (degrees_[p] == 2 && this->find(p, fresh) >= 0)
     {

@@ -67,8 +67,9 @@ public:
     return this->find(point, [](int) { return true; });
   }
 
-  /// The paths between points that do not have two edges, then the closed ones.
-  std::vector<CurvePath> paths() const;
+  /// The paths between points that do not have two edges, then the closed ones. What is removed by
+  /// then can no longer be restored.
+  std::vector<CurvePath> paths();
 
   /// Removes its edges, and its points as far as they have no others.
   void removePath(const CurvePath& path);
@@ -82,6 +83,7 @@ private:
   std::vector<int> incident_;
   std::vector<int> degrees_;
   std::vector<char> used_;
+  std::vector<std::int64_t> points_; ///< all that may be used, ascending
 };
 
 } // namespace medial

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 namespace medial
@@ -19,6 +21,9 @@ constexpr double kSlope = 0.5;
 constexpr double kMinRun = 6.0;
 constexpr double kMinRunOfRadius = 0.5;
 constexpr double kMinRunOfSheet = 0.75;
+/// By how much the grid makes the width differ where the solid is thinner than a step, in steps.
+/// What falls by kSlope is lower by that after kTolerance / kSlope steps.
+constexpr double kTolerance = 0.5;
 /// Points on either side over which a path is averaged before it is measured.
 constexpr int kSmoothed = 4;
 
@@ -53,6 +58,7 @@ public:
   Pruning(CurveGraph& graph, const NetworkInput& input)
     : graph_(graph)
     , input_(input)
+    , arrivals_(input.widths)
   {
   }
 
@@ -61,14 +67,20 @@ public:
     do
     {
       checkpoint();
-      while (this->trim())
-      {
-      }
-    } while (this->removeShort());
+    } while (this->trim() || this->removeDoubtful() || this->removeShort());
     return graph_.paths();
   }
 
 private:
+  /// What to take from the front of a path, which is a free end.
+  struct Surplus
+  {
+    std::size_t count = 0; ///< of points
+    /// Whether all of the path goes, although the width does not grow up to its other end: it is
+    /// too short to tell.
+    bool doubtful = false;
+  };
+
   bool free(std::int64_t point) const { return graph_.degree(point) == 1; }
   double width(std::int64_t point) const { return input_.widths[point]; }
   /// What branches at a junction are compared with.
@@ -78,45 +90,61 @@ private:
     return this->width(junction) > kTubeWidth * radius ? this->width(junction) : radius;
   }
 
-  /// Returns how many points to take from the front of a path, which is a free end: up to where
-  /// the width grows inwards by less than kSlope of the length for some length. All, if there is no
-  /// such place.
-  std::size_t surplus(const CurvePath& path) const
+  /// Returns what to take from the front of a path: up to where the width grows inwards by less
+  /// than kSlope of the length for some length. All, if there is no such place.
+  Surplus surplus(const CurvePath& path) const
   {
     const std::vector<double> lengths = arcLengths(path, input_.positions);
     const auto potential = [&](std::size_t i)
     { return this->width(path[i]) - kSlope * lengths[i]; };
+    // Where the solid is thinner than a step, the grid shows in the width.
+    const auto tolerance = [&](std::size_t best)
+    { return input_.radii[path[best]] < input_.step ? kTolerance * input_.step : 0.0; };
     std::size_t best = 0;
+    std::size_t close = 0; // the last point as good as the best, but for the steps of the grid
     for (std::size_t i = 1; i < path.size(); ++i)
     {
       const double radius = input_.radii[path[best]];
       const double run = std::max(kMinRun * input_.step,
         kMinRunOfRadius * radius + kMinRunOfSheet * (this->width(path[best]) - radius));
-      if (potential(i) > potential(best))
+      best = potential(i) > potential(best) ? i : best;
+      close = potential(i) > potential(best) - tolerance(best) ? i : close;
+      if (lengths[i] - lengths[best] >= run &&
+        lengths[i] - lengths[close] >= run - kTolerance / kSlope * input_.step)
       {
-        best = i;
-      }
-      else if (lengths[i] - lengths[best] >= run)
-      {
-        return best;
+        return { best, false };
       }
     }
-    return path.size();
+    const std::size_t last = path.size() - 1;
+    const bool grows =
+      potential(last) > potential(0) && lengths[last] - lengths[best] < kMinRun * input_.step;
+    return { path.size(), !grows };
+  }
+
+  /// Returns when a fire comes to the last point of a path from its first one, a free end.
+  double arrival(const CurvePath& path) const
+  {
+    return arrivals_[path.front()] + arcLengths(path, input_.positions).back();
   }
 
   void cut(CurvePath path, std::size_t count)
   {
     path.resize(std::min(path.size(), count + 1));
+    const std::int64_t end = path.back();
+    arrivals_[end] = std::max(arrivals_[end], this->arrival(path));
     graph_.removePath(path);
+    if (graph_.degree(end) == 0)
+    {
+      graph_.keep(end);
+    }
   }
 
-  /// Removes what is surplus at free ends. Returns whether there was any.
-  bool trim()
+  /// Returns the paths that have a free end. It is their first point.
+  std::vector<CurvePath> freePaths()
   {
-    bool changed = false;
-    for (CurvePath path : graph_.paths())
+    std::vector<CurvePath> result;
+    for (CurvePath& path : graph_.paths())
     {
-      const bool isolated = this->free(path.front()) && this->free(path.back());
       if (path.size() < 2 || path.front() == path.back() ||
         (!this->free(path.front()) && !this->free(path.back())))
       {
@@ -126,46 +154,105 @@ private:
       {
         std::reverse(path.begin(), path.end());
       }
-      const std::size_t front = this->surplus(path);
-      std::size_t back = 0;
-      if (isolated)
+      result.push_back(std::move(path));
+    }
+    return result;
+  }
+
+  /// Removes what is surplus at free ends, without doubt. Returns whether there was any.
+  bool trim()
+  {
+    bool changed = false;
+    for (bool again = true; again;)
+    {
+      again = false;
+      for (CurvePath& path : this->freePaths())
       {
-        std::reverse(path.begin(), path.end());
-        back = this->surplus(path);
-        std::reverse(path.begin(), path.end());
-        if (front + back + 1 >= path.size())
-        {
-          this->shrink(path);
-          continue;
-        }
+        const bool isolated = this->free(path.back());
+        again = (isolated ? this->trimIsolated(path) : this->trimFront(path)) || again;
       }
-      if (front > 0)
-      {
-        const std::int64_t end = path.back();
-        this->cut(path, front);
-        if (graph_.degree(end) == 0)
-        {
-          graph_.keep(end);
-        }
-        changed = true;
-      }
-      if (back > 0)
-      {
-        std::reverse(path.begin(), path.end());
-        this->cut(path, back);
-        changed = true;
-      }
+      changed = changed || again;
     }
     return changed;
   }
 
-  /// Replaces a path of two free ends by its widest point.
+  bool trimFront(const CurvePath& path)
+  {
+    const Surplus surplus = this->surplus(path);
+    if (surplus.count == 0 || surplus.doubtful)
+    {
+      return false;
+    }
+    this->cut(path, surplus.count);
+    return true;
+  }
+
+  bool trimIsolated(CurvePath& path)
+  {
+    const std::size_t front = this->surplus(path).count;
+    std::reverse(path.begin(), path.end());
+    const std::size_t back = this->surplus(path).count;
+    if (front + back + 1 >= path.size())
+    {
+      this->shrink(path);
+      return true;
+    }
+    if (back > 0)
+    {
+      this->cut(path, back);
+    }
+    if (front > 0)
+    {
+      std::reverse(path.begin(), path.end());
+      this->cut(path, front);
+    }
+    return front > 0 || back > 0;
+  }
+
+  /// Removes one of the paths at each junction that are too short to tell what is surplus: those
+  /// that a fire has burned soonest after the sheets beside them, since the others are longer
+  /// without them. Returns whether there was any.
+  bool removeDoubtful()
+  {
+    constexpr double kAbout = 1.5;
+    std::vector<std::pair<double, CurvePath>> doubtful;
+    for (CurvePath& path : this->freePaths())
+    {
+      if (!this->free(path.back()) && this->surplus(path).doubtful)
+      {
+        const double late = this->arrival(path) - this->width(path.back());
+        doubtful.emplace_back(late, std::move(path));
+      }
+    }
+    std::sort(doubtful.begin(), doubtful.end());
+    std::unordered_set<std::int64_t> junctions;
+    for (const auto& [late, path] : doubtful)
+    {
+      if (late > std::max(input_.step, kAbout * doubtful.front().first))
+      {
+        break;
+      }
+      if (junctions.insert(path.back()).second)
+      {
+        this->cut(path, path.size());
+      }
+    }
+    return !doubtful.empty();
+  }
+
+  /// Replaces a path of two free ends by the middle of its widest part.
   void shrink(const CurvePath& path)
   {
-    const std::int64_t widest = *std::max_element(path.begin(), path.end(),
-      [this](std::int64_t a, std::int64_t b) { return this->width(a) < this->width(b); });
+    double most = 0.0;
+    for (const std::int64_t point : path)
+    {
+      most = std::max(most, this->width(point));
+    }
+    std::vector<std::int64_t> widest;
+    std::copy_if(path.begin(), path.end(), std::back_inserter(widest),
+      [&](std::int64_t point) { return this->width(point) >= most - input_.step; });
     graph_.removePath(path);
-    graph_.keep(widest);
+    graph_.keep(widest[widest.size() / 2]);
   }
 
   /// Removes the shortest branch of those at each junction that are too short. Returns whether
@@ -201,6 +288,7 @@ private:
 
   CurveGraph& graph_;
   const NetworkInput& input_;
+  std::vector<double> arrivals_; ///< per point: when a fire along what has been cut comes there
 };
 
 } // namespace

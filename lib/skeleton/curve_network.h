@@ -15,8 +15,9 @@ namespace medial
 /// voxels touch across a narrow gap there.
 ///
 /// What is left after burnCurves() ends where the width begins to grow by less than half of the
-/// length. Branches that are too short go (NetworkInput::minBranch), the shortest at a junction
-/// first.
+/// length. Of branches that are too short to tell, those go first that the fire has burned soonest,
+/// so that the others become longer. Branches shorter than NetworkInput::minBranch go, the shortest
+/// at a junction first.
 /// @param vertices points of the axis of no edge.
 /// @return curves from junction to junction or free end.
 std::vector<CurvePath> curveNetwork(const std::vector<NetworkEdge>& edges,

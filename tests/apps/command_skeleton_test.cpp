@@ -15,6 +15,7 @@
 #include <vtkPolyData.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <sstream>
 #include <string>
@@ -258,6 +259,29 @@ TEST_F(CommandSkeleton, EndsStayOnTheirSideOfAGap)
     EXPECT_EQ(rows[row][1], "isolated");
     EXPECT_NEAR(std::stod(rows[row][2]), 4.0, 0.05);
     EXPECT_NEAR(std::stod(rows[row][4]), 0.5, 0.01); // outside of the rods it would be less
+  }
+}
+
+TEST_F(CommandSkeleton, ThePlatesLineHasBothEnds)
+{
+  const TriangleMesh plate = box({ 4.0, 2.0, 0.25 });
+  for (const double turn : { 0.0, 0.5, 1.0 })
+  {
+    SCOPED_TRACE(turn);
+    writeFile(input,
+      objText(turned(turned(turned(plate, 0, 0.4 + turn), 1, 0.7 + turn), 2, 0.3 + turn)));
+    for (const char* smooth : { "-q", "--no-smooth" })
+    {
+      run({ "--resolution", "200", "--skeleton-table", folder.file("s.csv"), smooth });
+      const auto rows = readTable(folder.file("s.csv"));
+      ASSERT_EQ(rows.size(), 2u);
+      double square = 0.0;
+      for (int i = 0; i < 3; ++i)
+      {
+        square += std::pow(std::stod(rows[1][6 + i]) - std::stod(rows[1][9 + i]), 2.0);
+      }
+      EXPECT_NEAR(std::sqrt(square), 4.0, 0.3);
+    }
   }
 }
 

@@ -1,0 +1,60 @@
+// Skeletons of plates and bars, in which the fire takes long ways over sheets.
+#include "lib/skeleton/skeleton_cases.h"
+#include "support/point_math.h"
+#include "support/shapes.h"
+#include "support/transforms.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+using namespace medial;
+using namespace medial::test;
+
+namespace
+{
+
+constexpr int kOrientations = 5;
+
+/// One of some orientations that no direction of the grid is parallel to.
+TriangleMesh orientated(const TriangleMesh& mesh, int orientation)
+{
+  return turned(turned(turned(mesh, 0, 0.4 + 0.71 * orientation), 1, 0.7 + 1.13 * orientation), 2,
+    0.3 + 0.37 * orientation);
+}
+
+} // namespace
+
+TEST(Skeleton, ThePlatesLineHasBothEnds)
+{
+  for (const Point3& size : { Point3{ 8.0, 4.0, 0.5 }, Point3{ 8.0, 4.0, 2.0 },
+         Point3{ 10.0, 2.0, 1.0 }, Point3{ 5.0, 1.0, 0.6 }, Point3{ 20.0, 4.0, 0.6 } })
+  {
+    const double width = size[1];
+    const TriangleMesh plate = box({ 0.5 * size[0], 0.5 * width, 0.5 * size[2] });
+    for (int k = 0; k < kOrientations; ++k)
+    {
+      const TriangleMesh line = orientated(
+        makeMesh({ { 0.5 * (width - size[0]), 0.0, 0.0 }, { 0.5 * (size[0] - width), 0.0, 0.0 } },
+          {}, { { 0, 1 } }),
+        k);
+      for (const int resolution : { 100, 128, 200 })
+      {
+        SCOPED_TRACE(
+          testing::Message() << size[0] << " x " << width << " " << k << " " << resolution);
+        const Skeleton skeleton = skeletonOf(orientated(plate, k), resolution);
+        ASSERT_EQ(skeleton.branches.size(), 1U);
+        const SkeletonBranch& branch = skeleton.branches.front();
+        EXPECT_NEAR(branch.length, size[0] - width, 0.15 * width);
+        for (const std::int64_t end : { branch.points.front(), branch.points.back() })
+        {
+          const Point3& place = skeleton.points[end];
+          EXPECT_LT(std::min(distance(place, line.points[0]), distance(place, line.points[1])),
+            0.1 * width);
+        }
+      }
+    }
+  }
+}
