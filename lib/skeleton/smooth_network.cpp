@@ -101,12 +101,14 @@ public:
     curve = resampled(straight, step_);
   }
 
-  /// Moves the only point of a branch to the middle of the solid around it, and on as long as the
-  /// radius grows there.
+  /// Moves the only point of a branch to the middle of the solid around it, on as long as the
+  /// radius grows there, and to the widest place near it.
   void climb(glm::dvec3& x) const
   {
     constexpr int kMaxMoves = 32;
     constexpr double kGrowth = 1.01;
+    constexpr std::array<glm::dvec3, 3> kAxes{ glm::dvec3{ 1.0, 0.0, 0.0 },
+      glm::dvec3{ 0.0, 1.0, 0.0 }, glm::dvec3{ 0.0, 0.0, 1.0 } };
     x = probe_.middle(probe_.middle(x));
     for (int i = 0; i < kMaxMoves; ++i)
     {
@@ -116,6 +118,19 @@ public:
         break;
       }
       x = next;
+    }
+    SolidProbe::Search search = probe_.search();
+    for (int i = 0; i < kMaxMoves; ++i)
+    {
+      const glm::dvec3 before = x;
+      for (const glm::dvec3& normal : kAxes)
+      {
+        x = SolidProbe::widestAcross(search, x, normal, kFine * step_);
+      }
+      if (glm::distance(x, before) <= kFine * step_)
+      {
+        break;
+      }
     }
   }
 

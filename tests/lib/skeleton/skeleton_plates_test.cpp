@@ -58,3 +58,39 @@ TEST(Skeleton, ThePlatesLineHasBothEnds)
     }
   }
 }
+
+TEST(Skeleton, APointIsInTheMiddle)
+{
+  for (const Point3& half : { Point3{ 2.0, 2.0, 0.2 }, Point3{ 2.5, 2.0, 0.2 },
+         Point3{ 2.0, 2.0, 0.5 }, Point3{ 2.0, 2.0, 2.0 } })
+  {
+    for (int k = 0; k < kOrientations; ++k)
+    {
+      for (const int resolution : { 100, 150 })
+      {
+        SCOPED_TRACE(
+          testing::Message() << half[0] << " x " << half[2] << " " << k << " " << resolution);
+        const Skeleton skeleton = skeletonOf(orientated(box(half), k), resolution);
+        ASSERT_EQ(skeleton.points.size(), 1U);
+        EXPECT_LT(length(skeleton.points.front()), 0.1);
+        EXPECT_NEAR(skeleton.radius.front(), half[2], 0.001 * half[2]);
+      }
+    }
+  }
+}
+
+TEST(Skeleton, ThePointOfADiscHasItsHalfThickness)
+{
+  const TriangleMesh disc = cylinder(3.02, 0.62, 64);
+  for (const int resolution : { 64, 100, 128 })
+  {
+    for (const TriangleMesh& mesh : { disc, askew(disc) })
+    {
+      SCOPED_TRACE(resolution);
+      const Skeleton skeleton = skeletonOf(mesh, resolution);
+      ASSERT_EQ(skeleton.points.size(), 1U);
+      EXPECT_LT(length(skeleton.points.front()), 0.15);
+      EXPECT_NEAR(skeleton.radius.front(), 0.31, 0.001);
+    }
+  }
+}
