@@ -96,6 +96,7 @@ int vtkMedialLocalThickness::FillOutputPortInformation(int, vtkInformation* info
 int vtkMedialLocalThickness::RequestInformation(vtkInformation*, vtkInformationVector** inputVector,
   vtkInformationVector* outputVector)
 {
+  outputVector->GetInformationObject(0)->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
   const int done = this->RequestImageInformation(inputVector, outputVector, 0);
   vtkDataObject::SetActiveAttributeInfo(outputVector->GetInformationObject(0),
     vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS, ArrayName, VTK_FLOAT, 1,
@@ -126,6 +127,8 @@ int vtkMedialLocalThickness::RequestData(vtkInformation*, vtkInformationVector**
       this->Internals->Record(grid, statistics.field, output);
       Record(statistics.thickness, "Thickness", output);
       Record(statistics.separation, "Separation", output);
+      // The balls at any point decide, so that a part takes the whole image.
+      output->Crop(outInfo->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT()));
       vtkWarnOnce(this, statistics.field.note);
     });
   return done ? 1 : vtkEndWithoutOutput(this, outputVector);

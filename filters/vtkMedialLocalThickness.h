@@ -25,7 +25,8 @@
  * if the separation around a part matters, not only that of its pores.
  *
  * @par Parallel pipelines:
- * The filter computes the whole grid whatever extent is requested, since a ball may reach anywhere.
+ * The filter computes the whole grid whatever extent is requested, since a ball may reach anywhere,
+ * and returns the extent. Figures are those of the whole.
  *
  * @sa
  * vtkMedialThickness vtkMeshDistanceField vtkMeshFieldAlgorithm

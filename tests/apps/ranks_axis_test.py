@@ -7,6 +7,8 @@ import json
 import sys
 import unittest
 
+from vtkmodules.vtkIOXML import vtkXMLPImageDataReader
+
 from rank_runs import SINGLE, RankTest, boxes, read_polydata, torn_torus
 
 
@@ -87,6 +89,20 @@ class RanksAxis(RankTest):
             for ranks in (2, 4):  # of which one has two pieces, or none
                 self.run_well(ranks, "torus.pvtp", "-o", "many.vtp", *options)
                 self.expect_same_file("many.vtp", "one.vtp")
+
+    def test_a_mesh_in_pieces_without_ids_does_not_depend_on_ranks(self):
+        self.write_pieces(5, with_ids=False)
+        options = ("--resolution", "24", *SINGLE, "-q", "--field-arrays", "closest_cell")
+        found = []
+        for ranks in (2, 3, 5):
+            self.run_well(ranks, "torus.pvtp", "-o", "many.vtp", "--field", "f.pvti", *options)
+            reader = vtkXMLPImageDataReader()
+            reader.SetFileName(str(self.folder / "f.pvti"))
+            reader.Update()
+            cells = reader.GetOutput().GetPointData().GetArray("ClosestCell")
+            found.append(((self.folder / "many.vtp").read_bytes(),
+                          [cells.GetValue(i) for i in range(cells.GetNumberOfValues())]))
+        self.assertTrue(found[0] == found[1] == found[2])
 
     def test_a_mesh_in_pieces_has_the_field_and_thickness_of_the_whole(self):
         self.write_pieces(2)

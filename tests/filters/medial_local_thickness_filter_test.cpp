@@ -139,9 +139,26 @@ TEST(MedialLocalThicknessFilter, PartsOfTheGridAreThoseOfTheWhole)
   auto other = make(plate());
   const int part[6] = { 5, 9, 5, 9, 5, 9 };
   other->UpdateExtent(part);
+  EXPECT_EQ(other->GetOutput()->GetNumberOfPoints(), 125);
   for (const int i : { 5, 7, 9 })
   {
     EXPECT_EQ(other->GetOutput()->GetScalarComponentAsDouble(i, i, i, 0),
       whole->GetScalarComponentAsDouble(i, i, i, 0));
   }
+}
+
+TEST(MedialLocalThicknessFilter, PiecesShareOutTheGrid)
+{
+  auto filter = make(plate());
+  ASSERT_TRUE(update(filter));
+  const std::array<int, 3> whole{ filter->GetOutput()->GetDimensions()[0],
+    filter->GetOutput()->GetDimensions()[1], filter->GetOutput()->GetDimensions()[2] };
+  vtkIdType cells = 0;
+  for (int piece = 0; piece < 3; ++piece)
+  {
+    auto part = make(plate());
+    part->UpdatePiece(piece, 3, 0);
+    cells += part->GetOutput()->GetNumberOfCells();
+  }
+  EXPECT_EQ(cells, static_cast<vtkIdType>(whole[0] - 1) * (whole[1] - 1) * (whole[2] - 1));
 }

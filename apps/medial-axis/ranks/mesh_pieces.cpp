@@ -82,8 +82,13 @@ MeshPiece readMeshPiece(const fs::path& index, Communicator& communicator)
       std::vector<fs::path> files;
       withFailures(index, [&] { files = filesOf(content, index.parent_path()); });
       vtkNew<vtkMultiBlockDataSet> blocks;
-      for (auto i = static_cast<std::size_t>(communicator.rank()); i < files.size();
-           i += static_cast<std::size_t>(communicator.size()))
+      // One run of files for each rank: cells are numbered rank after rank, and so file after file.
+      const auto firstOf = [&](int rank)
+      {
+        return files.size() * static_cast<std::size_t>(rank) /
+          static_cast<std::size_t>(communicator.size());
+      };
+      for (std::size_t i = firstOf(communicator.rank()); i < firstOf(communicator.rank() + 1); ++i)
       {
         blocks->SetBlock(blocks->GetNumberOfBlocks(), readVtp(files[i]));
       }
