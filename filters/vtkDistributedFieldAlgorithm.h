@@ -17,7 +17,9 @@
  * rank had to hold for its part; what it sent.
  *
  * All ranks must update the filter together, with the same parameters. What fails on one rank fails
- * on all, with a message that names the rank; so do parameters that differ.
+ * on all, with a message that names the rank; so do parameters that differ. A pipeline in which
+ * nothing has changed does not run: where the input of some ranks alone changes between updates,
+ * call Modified() on all, or the others wait forever.
  *
  * @sa
  * vtkMeshDistanceField vtkMedialAxis
