@@ -15,6 +15,7 @@ CurveGraph::CurveGraph(const std::vector<NetworkEdge>& edges,
   , degrees_(pointCount, 0)
   , used_(pointCount, 0)
   , points_(pointCount)
+  , followed_(edges.size(), 0)
 {
   std::iota(points_.begin(), points_.end(), 0);
   for (const NetworkEdge& edge : edges)
@@ -51,15 +52,15 @@ std::vector<CurvePath> CurveGraph::paths()
                   [this](std::int64_t p) { return used_[p] == 0; }),
     points_.end());
   std::vector<CurvePath> paths;
-  std::vector<char> followed(edges_.size(), 0);
-  const auto fresh = [&](int e) { return followed[e] == 0; };
+  ++round_;
+  const auto fresh = [&](int e) { return followed_[e] != round_; };
   const auto follow = [&](std::int64_t point)
   {
     const std::int64_t first = point;
     CurvePath path{ point };
     for (int e = this->find(point, fresh); e >= 0; e = this->find(point, fresh))
     {
-      followed[e] = 1;
+      followed_[e] = round_;
       point = this->otherEnd(e, point);
       path.push_back(point);
       if (degrees_[point] != 2 || point == first)

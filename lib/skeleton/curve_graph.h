@@ -84,6 +84,8 @@ private:
   std::vector<int> degrees_;
   std::vector<char> used_;
   std::vector<std::int64_t> points_; ///< all that may be used, ascending
+  std::vector<int> followed_;        ///< per edge: the last round in which paths() went along it
+  int round_ = 0;
 };
 
 } // namespace medial

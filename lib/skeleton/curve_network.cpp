@@ -66,8 +66,11 @@ public:
   {
     do
     {
-      checkpoint();
-    } while (this->trim() || this->removeDoubtful() || this->removeShort());
+      while (this->trim())
+      {
+        checkpoint();
+      }
+    } while (this->removeShort());
     return graph_.paths();
   }
 
@@ -79,6 +82,15 @@ private:
     /// Whether all of the path goes, although the width does not grow up to its other end: it is
     /// too short to tell.
     bool doubtful = false;
+    double length = 0.0; ///< of the path
+  };
+  /// The surplus of a path that begins where another one did is the same if their last points and
+  /// their numbers of points are.
+  struct KnownSurplus
+  {
+    std::int64_t last;
+    std::size_t points;
+    Surplus surplus;
   };
 
   bool free(std::int64_t point) const { return graph_.degree(point) == 1; }
@@ -92,7 +104,7 @@ private:
 
   /// Returns what to take from the front of a path: up to where the width grows inwards by less
   /// than kSlope of the length for some length. All, if there is no such place.
-  Surplus surplus(const CurvePath& path) const
+  Surplus measureSurplus(const CurvePath& path) const
   {
     const std::vector<double> lengths = arcLengths(path, input_.positions);
     const auto potential = [&](std::size_t i)
@@ -112,26 +124,33 @@ private:
       if (lengths[i] - lengths[best] >= run &&
         lengths[i] - lengths[close] >= run - kTolerance / kSlope * input_.step)
       {
-        return { best, false };
+        return { best, false, lengths.back() };
       }
     }
     const std::size_t last = path.size() - 1;
     const bool grows =
       potential(last) > potential(0) && lengths[last] - lengths[best] < kMinRun * input_.step;
-    return { path.size(), !grows };
+    return { path.size(), !grows, lengths[last] };
   }
 
-  /// Returns when a fire comes to the last point of a path from its first one, a free end.
-  double arrival(const CurvePath& path) const
+  /// Returns what measureSurplus() does; that of a path that stays is measured once.
+  const Surplus& surplus(const CurvePath& path)
   {
-    return arrivals_[path.front()] + arcLengths(path, input_.positions).back();
+    const KnownSurplus unknown{ -1, 0, {} };
+    KnownSurplus& known = known_.try_emplace(path.front(), unknown).first->second;
+    if (known.last != path.back() || known.points != path.size())
+    {
+      known = { path.back(), path.size(), this->measureSurplus(path) };
+    }
+    return known.surplus;
   }
 
   void cut(CurvePath path, std::size_t count)
   {
     path.resize(std::min(path.size(), count + 1));
     const std::int64_t end = path.back();
-    arrivals_[end] = std::max(arrivals_[end], this->arrival(path));
+    arrivals_[end] =
+      std::max(arrivals_[end], arrivals_[path.front()] + arcLengths(path, input_.positions).back());
     graph_.removePath(path);
     if (graph_.degree(end) == 0)
     {
@@ -159,32 +178,31 @@ private:
     return result;
   }
 
-  /// Removes what is surplus at free ends, without doubt. Returns whether there was any.
+  /// Removes what is surplus at free ends or, if there is none without doubt, some of what may
+  /// be. Returns whether there was any.
   bool trim()
   {
     bool changed = false;
-    for (bool again = true; again;)
+    std::vector<CurvePath> doubtful;
+    for (CurvePath& path : this->freePaths())
     {
-      again = false;
-      for (CurvePath& path : this->freePaths())
+      if (this->free(path.back()))
       {
-        const bool isolated = this->free(path.back());
-        again = (isolated ? this->trimIsolated(path) : this->trimFront(path)) || again;
+        changed = this->trimIsolated(path) || changed;
+        continue;
       }
-      changed = changed || again;
+      const Surplus& surplus = this->surplus(path);
+      if (surplus.doubtful)
+      {
+        doubtful.push_back(std::move(path));
+      }
+      else if (surplus.count > 0)
+      {
+        this->cut(path, surplus.count);
+        changed = true;
+      }
     }
-    return changed;
-  }
-
-  bool trimFront(const CurvePath& path)
-  {
-    const Surplus surplus = this->surplus(path);
-    if (surplus.count == 0 || surplus.doubtful)
-    {
-      return false;
-    }
-    this->cut(path, surplus.count);
-    return true;
+    return changed || this->removeDoubtful(doubtful);
   }
 
   bool trimIsolated(CurvePath& path)
@@ -209,35 +227,33 @@ private:
     return front > 0 || back > 0;
   }
 
-  /// Removes one of the paths at each junction that are too short to tell what is surplus: those
+  /// Removes one at each junction of the paths that are too short to tell what is surplus: those
   /// that a fire has burned soonest after the sheets beside them, since the others are longer
   /// without them. Returns whether there was any.
-  bool removeDoubtful()
+  bool removeDoubtful(const std::vector<CurvePath>& paths)
   {
-    constexpr double kAbout = 1.5;
-    std::vector<std::pair<double, CurvePath>> doubtful;
-    for (CurvePath& path : this->freePaths())
+    constexpr double kAbout = 2.0;
+    std::vector<std::pair<double, std::size_t>> byDelay;
+    for (std::size_t i = 0; i < paths.size(); ++i)
     {
-      if (!this->free(path.back()) && this->surplus(path).doubtful)
-      {
-        const double late = this->arrival(path) - this->width(path.back());
-        doubtful.emplace_back(late, std::move(path));
-      }
+      const CurvePath& path = paths[i];
+      const double arrival = arrivals_[path.front()] + this->surplus(path).length;
+      byDelay.emplace_back(arrival - this->width(path.back()), i);
     }
-    std::sort(doubtful.begin(), doubtful.end());
+    std::sort(byDelay.begin(), byDelay.end());
     std::unordered_set<std::int64_t> junctions;
-    for (const auto& [late, path] : doubtful)
+    for (const auto& [delay, i] : byDelay)
     {
-      if (late > std::max(input_.step, kAbout * doubtful.front().first))
+      if (delay > std::max(input_.step, kAbout * byDelay.front().first))
       {
         break;
       }
-      if (junctions.insert(path.back()).second)
+      if (junctions.insert(paths[i].back()).second)
       {
-        this->cut(path, path.size());
+        this->cut(paths[i], paths[i].size());
       }
     }
-    return !doubtful.empty();
+    return !paths.empty();
   }
 
   /// Replaces a path of two free ends by the middle of its widest part.
@@ -288,6 +304,7 @@ private:
 
   CurveGraph& graph_;
   const NetworkInput& input_;
+  std::unordered_map<std::int64_t, KnownSurplus> known_; ///< of paths, by their first points
   std::vector<double> arrivals_; ///< per point: when a fire along what has been cut comes there
 };
 
