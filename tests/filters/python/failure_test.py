@@ -88,7 +88,7 @@ class Parameters(unittest.TestCase):
         self.assert_refused(r"resolution 1 is outside \[2, 8192\]", resolution=1)
         self.assert_refused(r"resolution 8193 is outside", resolution=8193)
         self.assert_refused(r"padding nan is outside \[0, 10\]", padding=float("nan"))
-        self.assert_refused("spacing -1 ", spacing=-1)
+        self.assert_refused("spacing along x -1 ", spacing=-1)
         self.assert_refused(r"spacing \(1, 2\) is not of three", spacing=(1, 2))
         self.assert_refused("1e-05", spacing=1e-5)
         explicit = "an explicit grid needs origin, spacing and dimensions"
