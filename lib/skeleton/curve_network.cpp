@@ -109,9 +109,13 @@ private:
     const std::vector<double> lengths = arcLengths(path, input_.positions);
     const auto potential = [&](std::size_t i)
     { return this->width(path[i]) - kSlope * lengths[i]; };
-    // Where the solid is thinner than a step, the grid shows in the width.
+    // Where a sheet is thinner than a step, the grid shows in the width.
     const auto tolerance = [&](std::size_t best)
-    { return input_.radii[path[best]] < input_.step ? kTolerance * input_.step : 0.0; };
+    {
+      const double radius = input_.radii[path[best]];
+      const bool inSheet = this->width(path[best]) > kTubeWidth * radius;
+      return inSheet && radius < input_.step ? kTolerance * input_.step : 0.0;
+    };
     std::size_t best = 0;
     std::size_t close = 0; // the last point as good as the best, but for the steps of the grid
     for (std::size_t i = 1; i < path.size(); ++i)

@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -25,7 +27,42 @@ TriangleMesh orientated(const TriangleMesh& mesh, int orientation)
     0.3 + 0.37 * orientation);
 }
 
+/// A cone whose radius falls from 1 by a third of the distance from its base.
+TriangleMesh slenderCone()
+{
+  constexpr int kSides = 64;
+  constexpr double kHeight = 2.7;
+  std::vector<Point3> points{ { 0.0, 0.0, 0.0 }, { 0.0, 0.0, kHeight } };
+  std::vector<std::array<int, 3>> triangles;
+  for (int i = 0; i < kSides; ++i)
+  {
+    const double angle = 2.0 * M_PI * i / kSides;
+    points.push_back({ std::cos(angle), std::sin(angle), 0.0 });
+    const int next = 2 + (i + 1) % kSides;
+    triangles.push_back({ 0, next, 2 + i });
+    triangles.push_back({ 1, 2 + i, next });
+  }
+  return makeMesh(points, triangles);
+}
+
 } // namespace
+
+/// Near its tip a cone is thinner than a voxel, whatever the grid.
+TEST(Skeleton, OfASlenderConeIsALineOnCoarseGrids)
+{
+  const TriangleMesh cone = slenderCone();
+  for (int k = 0; k < kOrientations; ++k)
+  {
+    for (int resolution = 18; resolution <= 24; ++resolution)
+    {
+      SCOPED_TRACE(testing::Message() << k << " " << resolution);
+      const Skeleton skeleton = skeletonOf(orientated(cone, k), resolution);
+      ASSERT_EQ(skeleton.branches.size(), 1U);
+      EXPECT_GT(skeleton.branches.front().length, 1.2);
+      EXPECT_LT(skeleton.branches.front().length, 2.3);
+    }
+  }
+}
 
 TEST(Skeleton, ThePlatesLineHasBothEnds)
 {
