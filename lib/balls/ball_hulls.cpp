@@ -47,24 +47,6 @@ WedgePlane wedgePlane(const Ball& a, const Ball& b, const Ball& c)
   return plane;
 }
 
-/// Returns a lower bound of the distance to a wedge: a convex function lies above its tangent, here
-/// at the middle of the triangle.
-HullDistance wedgeBound(const Ball& a, const Ball& b, const Ball& c, const glm::dvec3& x)
-{
-  constexpr double kThird = 1.0 / 3.0;
-  const glm::dvec3 middle = kThird * (a.centre + b.centre + c.centre);
-  const glm::dvec3 fromX = middle - x;
-  const double distance = glm::length(fromX);
-  if (distance == 0.0)
-  {
-    return { -std::numeric_limits<double>::infinity(), a };
-  }
-  const glm::dvec3 slope = fromX / distance;
-  const auto tangent = [&](const Ball& ball)
-  { return glm::dot(slope, ball.centre - middle) - ball.radius; };
-  return { distance + std::min({ tangent(a), tangent(b), tangent(c) }), a };
-}
-
 const HullDistance& nearer(const HullDistance& a, const HullDistance& b)
 {
   return b.distance < a.distance ? b : a;
@@ -93,10 +75,10 @@ HullDistance distanceToCone(const Ball& a, const Ball& b, const glm::dvec3& x)
 HullDistance distanceToWedge(const Ball& a, const Ball& b, const Ball& c, const glm::dvec3& x,
   double limit)
 {
-  const HullDistance bound = wedgeBound(a, b, c, x);
-  if (bound.distance >= limit)
+  const double bound = wedgeBound(a, b, c, x);
+  if (bound >= limit)
   {
-    return bound;
+    return { bound, a };
   }
   const WedgePlane plane = wedgePlane(a, b, c);
   if (!plane.usable)
@@ -123,6 +105,23 @@ HullDistance distanceToWedge(const Ball& a, const Ball& b, const Ball& c, const 
   best = atC < 0.0 ? distanceToCone(a, b, x) : best;
   best = atB < 0.0 ? nearer(best, distanceToCone(c, a, x)) : best;
   return atB + atC > 1.0 ? nearer(best, distanceToCone(b, c, x)) : best;
+}
+
+// A convex function lies above its tangent, here at the middle of the triangle.
+double wedgeBound(const Ball& a, const Ball& b, const Ball& c, const glm::dvec3& x)
+{
+  constexpr double kThird = 1.0 / 3.0;
+  const glm::dvec3 middle = kThird * (a.centre + b.centre + c.centre);
+  const glm::dvec3 fromX = middle - x;
+  const double distance = glm::length(fromX);
+  if (distance == 0.0)
+  {
+    return -std::numeric_limits<double>::infinity();
+  }
+  const glm::dvec3 slope = fromX / distance;
+  const auto tangent = [&](const Ball& ball)
+  { return glm::dot(slope, ball.centre - middle) - ball.radius; };
+  return distance + std::min({ tangent(a), tangent(b), tangent(c) });
 }
 
 std::optional<std::array<glm::dvec3, 2>> tangentNormals(const Ball& a, const Ball& b, const Ball& c)

@@ -40,6 +40,9 @@ HullDistance distanceToCone(const Ball& a, const Ball& b, const glm::dvec3& x);
 HullDistance distanceToWedge(const Ball& a, const Ball& b, const Ball& c, const glm::dvec3& x,
   double limit = std::numeric_limits<double>::infinity());
 
+/// Returns a lower bound of the distance to the convex hull of three balls, but for rounding.
+double wedgeBound(const Ball& a, const Ball& b, const Ball& c, const glm::dvec3& x);
+
 /// Returns the outward unit normals of the two planes that touch three balls from outside: each
 /// touches ball (c, r) at c + r normal. Nothing for a triangle without area or if the radii differ
 /// too much.

@@ -36,7 +36,7 @@ std::vector<std::array<std::int32_t, 3>> ballsAlone(std::size_t count)
   return primitives;
 }
 
-std::vector<std::array<std::int32_t, 3>> primitivesOf(const MedialModel& model)
+std::vector<std::array<std::int32_t, 3>> joinedBalls(const MedialModel& model)
 {
   std::vector<std::array<std::int32_t, 3>> primitives;
   std::vector<char> joined(model.centres.size(), 0);
@@ -65,20 +65,25 @@ std::vector<std::array<std::int32_t, 3>> primitivesOf(const MedialModel& model)
   return primitives;
 }
 
+ItemBounds boundsOf(const std::vector<Ball>& balls, const std::array<std::int32_t, 3>& primitive)
+{
+  ItemBounds bounds = ItemBounds::nothing();
+  for (const std::int32_t ball : primitive)
+  {
+    if (ball != kNone)
+    {
+      bounds.add(balls[ball].centre, balls[ball].radius);
+    }
+  }
+  return bounds;
+}
+
 std::vector<ItemBounds> boundsOf(const std::vector<Ball>& balls,
   const std::vector<std::array<std::int32_t, 3>>& primitives)
 {
-  std::vector<ItemBounds> bounds(primitives.size(), ItemBounds::nothing());
-  for (std::size_t i = 0; i < primitives.size(); ++i)
-  {
-    for (const std::int32_t ball : primitives[i])
-    {
-      if (ball != kNone)
-      {
-        bounds[i].add(balls[ball].centre, balls[ball].radius);
-      }
-    }
-  }
+  std::vector<ItemBounds> bounds(primitives.size());
+  std::transform(primitives.begin(), primitives.end(), bounds.begin(),
+    [&balls](const auto& primitive) { return boundsOf(balls, primitive); });
   return bounds;
 }
 
@@ -92,9 +97,22 @@ glm::dvec3 outward(const Ball& ball, const glm::dvec3& x)
 
 } // namespace
 
+BallPrimitives primitivesOf(const MedialModel& model, bool interpolate)
+{
+  BallPrimitives parts;
+  parts.balls = ballsOf(model);
+  parts.primitives = interpolate ? joinedBalls(model) : ballsAlone(parts.balls.size());
+  return parts;
+}
+
 BallUnion::BallUnion(const MedialModel& model, bool interpolate)
-  : balls_(ballsOf(model))
-  , primitives_(interpolate ? primitivesOf(model) : ballsAlone(balls_.size()))
+  : BallUnion(primitivesOf(model, interpolate))
+{
+}
+
+BallUnion::BallUnion(BallPrimitives parts)
+  : balls_(std::move(parts.balls))
+  , primitives_(std::move(parts.primitives))
   , tree_(boundsOf(balls_, primitives_))
 {
 }
@@ -130,6 +148,29 @@ HullDistance BallUnion::nearest(const glm::dvec3& x, double limit) const
       }
     });
   return best;
+}
+
+double BallUnion::distance(const glm::dvec3& x, double limit) const
+{
+  constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+  tree_.search(x, limit,
+    [&](std::uint32_t primitive)
+    {
+      const auto& [a, b, c] = primitives_[primitive];
+      const double bound = c != kNone ? wedgeBound(balls_[a], balls_[b], balls_[c], x) : -kNoLimit;
+      if (bound >= limit)
+      {
+        return;
+      }
+      const double found = this->distanceTo(primitive, x, kNoLimit).distance;
+      if (found < limit)
+      {
+        // Not below what the tree's nodes are compared with.
+        const double ofBox = boundsOf(balls_, primitives_[primitive]).minDistance(x);
+        limit = std::min(limit, std::max({ found, bound, ofBox }));
+      }
+    });
+  return limit;
 }
 
 bool BallUnion::covers(const glm::dvec3& x, double depth) const

@@ -14,6 +14,20 @@
 namespace medial
 {
 
+/// What a solid is the union of.
+struct BallPrimitives
+{
+  std::vector<Ball> balls;
+  /// Wedges, cones, and balls that belong to neither, by indices into balls; -1 for none. Cones and
+  /// balls that are part of a wedge are not listed.
+  std::vector<std::array<std::int32_t, 3>> primitives;
+};
+
+/// Returns the balls, cones and wedges of a model.
+/// @param interpolate whether to use balls, cones and wedges; otherwise only the balls.
+/// @throws Error as checkMedialModel().
+BallPrimitives primitivesOf(const MedialModel& model, bool interpolate);
+
 /// The solid of a medial model, or of balls alone. Several threads may query it at once.
 class BallUnion
 {
@@ -22,10 +36,10 @@ public:
   /// @throws Error as checkMedialModel().
   explicit BallUnion(const MedialModel& model, bool interpolate = true);
   explicit BallUnion(std::vector<Ball> balls);
+  explicit BallUnion(BallPrimitives parts);
 
   const std::vector<Ball>& balls() const { return balls_; }
-  /// Wedges, cones, and balls that belong to neither, by indices into balls(); -1 for none. Cones
-  /// and balls that are part of a wedge are not listed.
+  /// As BallPrimitives has them.
   const std::vector<std::array<std::int32_t, 3>>& primitives() const { return primitives_; }
 
   /// Returns the minimum of the signed distances to the primitives. Outside all of them this is the
@@ -34,6 +48,11 @@ public:
   /// @param limit only smaller distances are searched for; if there is none, the limit is returned.
   HullDistance nearest(const glm::dvec3& x,
     double limit = std::numeric_limits<double>::infinity()) const;
+
+  /// Returns the distance of nearest(), but to the last bit the same whatever the order of the
+  /// primitives and however many there are that are farther away: a primitive's own distance does
+  /// not depend on what was found before, and no bound exceeds it by rounding.
+  double distance(const glm::dvec3& x, double limit) const;
 
   /// Whether x lies deeper than `depth` inside some primitive, or, for a negative depth, nearer
   /// than -depth to one.

@@ -1,9 +1,11 @@
 #include "medial/reconstruction.h"
 
 #include "balls/ball_union.h"
+#include "base/extents.h"
 #include "base/longest_axis.h"
 #include "base/memory_guard.h"
 #include "base/run.h"
+#include "measure/reconstruction_field.h"
 #include "medial/memory.h"
 
 #include <tbb/parallel_for.h>
@@ -22,26 +24,38 @@ constexpr int kBlockSize = 16;
 /// Every point within this many voxels of the surface is computed on its own.
 constexpr double kBand = 3.0;
 
+double bandOf(const Grid& grid)
+{
+  return kBand * *std::max_element(grid.spacing.begin(), grid.spacing.end());
+}
+
 class FieldBuilder
 {
 public:
-  FieldBuilder(const BallUnion& solid, const Grid& grid, std::vector<float>& field)
+  FieldBuilder(const BallUnion& solid, const Grid& grid, const Extent& extent,
+    std::vector<float>& field)
     : solid_(solid)
     , grid_(grid)
+    , extent_(extent)
     , field_(field)
-    , band_(kBand * *std::max_element(grid.spacing.begin(), grid.spacing.end()))
+    , band_(bandOf(grid))
   {
   }
 
-  /// Fills a block: at once if the surface is far away, otherwise part by part.
+  /// Fills a block where the extent has points of it: at once if the surface is far away,
+  /// otherwise part by part.
   /// @param limit at least the signed distance at the middle.
   void fill(const Extent& block, double limit)
   {
+    if (commonPart(block, extent_).empty())
+    {
+      return;
+    }
     const glm::dvec3 low = this->position(block.min);
     const glm::dvec3 high = this->position(block.max);
     const glm::dvec3 middle = 0.5 * (low + high);
     const double reach = 0.5 * glm::distance(low, high);
-    const double distance = solid_.nearest(middle, limit).distance;
+    const double distance = solid_.distance(middle, limit);
     if (block.pointCount() == 1 || std::abs(distance) > reach + band_)
     {
       // The distance changes by at most the way to the middle.
@@ -69,39 +83,28 @@ private:
 
   void set(const Extent& block, float value)
   {
-    const auto width = static_cast<std::size_t>(grid_.dimensions[0]);
-    const auto height = static_cast<std::size_t>(grid_.dimensions[1]);
-    for (int z = block.min[2]; z <= block.max[2]; ++z)
+    const Extent part = commonPart(block, extent_);
+    const auto width = static_cast<std::size_t>(extent_.size(0));
+    const auto height = static_cast<std::size_t>(extent_.size(1));
+    for (int z = part.min[2]; z <= part.max[2]; ++z)
     {
-      for (int y = block.min[1]; y <= block.max[1]; ++y)
+      for (int y = part.min[1]; y <= part.max[1]; ++y)
       {
-        const auto row = field_.begin() +
-          static_cast<std::ptrdiff_t>((static_cast<std::size_t>(z) * height + y) * width);
-        std::fill(row + block.min[0], row + block.max[0] + 1, value);
+        const std::size_t row =
+          (static_cast<std::size_t>(z - extent_.min[2]) * height + (y - extent_.min[1])) * width;
+        const auto first =
+          field_.begin() + static_cast<std::ptrdiff_t>(row + (part.min[0] - extent_.min[0]));
+        std::fill(first, first + part.size(0), value);
       }
     }
   }
 
   const BallUnion& solid_;
   const Grid& grid_;
+  const Extent& extent_;
   std::vector<float>& field_;
   double band_;
 };
-
-std::vector<Extent> blocksOf(const Extent& slab)
-{
-  std::vector<Extent> blocks;
-  for (int y = slab.min[1]; y <= slab.max[1]; y += kBlockSize)
-  {
-    for (int x = slab.min[0]; x <= slab.max[0]; x += kBlockSize)
-    {
-      blocks.push_back({ { x, y, slab.min[2] },
-        { std::min(x + kBlockSize - 1, slab.max[0]), std::min(y + kBlockSize - 1, slab.max[1]),
-          slab.max[2] } });
-    }
-  }
-  return blocks;
-}
 
 } // namespace
 
@@ -127,26 +130,55 @@ std::vector<float> computeReconstruction(const MedialModel& model, const Grid& g
   return withMemoryErrors(grid.pointCount(),
     [&]
     {
-      const BallUnion solid(model, options.interpolate);
-      std::vector<float> field(static_cast<std::size_t>(grid.pointCount()));
-      FieldBuilder builder(solid, grid, field);
-      Extent slab = grid.wholeExtent();
-      const int last = slab.max[2];
-      for (; slab.min[2] <= last; slab.min[2] += kBlockSize)
-      {
-        run.report(static_cast<double>(slab.min[2]) / (last + 1), "distance to the balls");
-        slab.max[2] = std::min(slab.min[2] + kBlockSize - 1, last);
-        const std::vector<Extent> blocks = blocksOf(slab);
-        run.onThreads(
-          [&]
-          {
-            tbb::parallel_for(std::size_t{ 0 }, blocks.size(),
-              [&](std::size_t i)
-              { builder.fill(blocks[i], std::numeric_limits<double>::infinity()); });
-          });
-      }
-      return field;
+      return reconstructionField(BallUnion(model, options.interpolate), grid, grid.wholeExtent(),
+        run);
     });
+}
+
+Bounds reconstructionReach(const Grid& grid, const Extent& extent)
+{
+  const Extent blocks = wholeParts(extent, kBlockSize, grid.wholeExtent());
+  // From the middle of a block to its corners, and a voxel for rounding.
+  const double reach =
+    0.5 * kBlockSize * std::hypot(grid.spacing[0], grid.spacing[1], grid.spacing[2]);
+  const double margin = reach + bandOf(grid) * (1.0 + 1.0 / kBand);
+  Bounds bounds{ grid.point(blocks.min[0], blocks.min[1], blocks.min[2]),
+    grid.point(blocks.max[0], blocks.max[1], blocks.max[2]) };
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    bounds.min[axis] -= margin;
+    bounds.max[axis] += margin;
+  }
+  return bounds;
+}
+
+std::vector<float> reconstructionField(const BallUnion& solid, const Grid& grid,
+  const Extent& extent, const Run& run)
+{
+  std::vector<float> field(static_cast<std::size_t>(extent.pointCount()));
+  if (extent.empty())
+  {
+    return field;
+  }
+  FieldBuilder builder(solid, grid, extent, field);
+  // Blocks start where those of the whole grid do.
+  const Extent all = wholeParts(extent, kBlockSize, grid.wholeExtent());
+  Extent slab = all;
+  for (; slab.min[2] <= all.max[2]; slab.min[2] += kBlockSize)
+  {
+    run.report(static_cast<double>(slab.min[2] - all.min[2]) / all.size(2),
+      "distance to the balls");
+    slab.max[2] = std::min(slab.min[2] + kBlockSize - 1, all.max[2]);
+    std::vector<Extent> blocks;
+    visitParts(slab, kBlockSize, [&blocks](const Extent& block) { blocks.push_back(block); });
+    run.onThreads(
+      [&]
+      {
+        tbb::parallel_for(std::size_t{ 0 }, blocks.size(),
+          [&](std::size_t i) { builder.fill(blocks[i], std::numeric_limits<double>::infinity()); });
+      });
+  }
+  return field;
 }
 
 } // namespace medial

@@ -8,6 +8,8 @@
 #include "medial/export.h"
 #include "medial/grid.h"
 #include "medial/medial_axis.h"
+#include "medial/medial_model.h"
+#include "medial/reconstruction.h"
 #include "medial/run_statistics.h"
 #include "medial/side.h"
 #include "medial/thickness.h"
@@ -227,6 +229,31 @@ MEDIAL_EXPORT CellTopology topologyOf(Communicator& communicator, const AxisPiec
 /// @throws Error on every rank, as measureCoverage().
 MEDIAL_EXPORT AxisCoverage measureCoverage(Communicator& communicator, const SurfacePiece& surface,
   const AxisPiece& axis, double reach, const CoverageOptions& options = {});
+
+/// Returns the bounds of all balls of a model that lies in pieces on several ranks. Every rank
+/// calls it.
+/// @param piece of this rank; may have nothing.
+/// @return the same on every rank, world units.
+/// @throws Error on every rank, as checkMedialModel().
+MEDIAL_EXPORT Bounds modelBounds(Communicator& communicator, const MedialModel& piece);
+
+/// Computes the field of a reconstruction, as computeReconstruction() does in one process, of a
+/// model that lies in pieces on several ranks, each rank for its own extent. No rank holds the
+/// whole model: it gets the balls, cones and wedges that can matter in its extent. Every rank calls
+/// it, with the same grid and options.
+///
+/// The solid is the union of all pieces, so balls and cells may be in several. A ball without a
+/// cell in one piece that has one in another may change the last bit of a value.
+/// @param piece of this rank: any cells, and the balls that they use; may have nothing.
+/// @param extent of this rank; may be empty. Extents may overlap.
+/// @return one value per point of the extent, x fastest, world units. Those within three voxels of
+///   the surface are bit for bit those of one process, the others have their sign and are farther
+///   away.
+/// @throws Error on every rank, with the message of the first that failed: as
+///   computeReconstruction(), and InvalidInput for an extent that is not in the grid.
+MEDIAL_EXPORT std::vector<float> computeReconstruction(Communicator& communicator,
+  const MedialModel& piece, const Grid& grid, const Extent& extent,
+  const ReconstructionOptions& options = {});
 
 /// Computes the thickness of a surface that lies in pieces on several ranks. No rank holds the
 /// whole surface: each computes it at places near its own part, and asks the others about theirs.
