@@ -24,15 +24,29 @@
  * finite, a Resolution outside its range, and a grid larger than the available memory.
  * vtkMedialPolyDataAlgorithm documents how errors are reported, abort and parallel pipelines.
  *
+ * @par Parallel pipelines:
+ * With DistributedInput each rank makes its part of the surface, whatever piece is asked for: the
+ * triangles in its part of the grid. Together they are, bit for bit, those that one process makes
+ * of the whole axis, each on one rank; points on a cut are in the parts of both sides, with the
+ * same normals. Parts may be empty. Of the axis each rank gets what can matter in its part, and no
+ * rank ever holds all of it. Balls and cells that are in several pieces, as points on cuts are,
+ * change nothing. With DistributedInput an input may also be a vtkUnstructuredGrid, or blocks, of
+ * which the points that cells use count; pieces may be empty. All ranks must update the filter
+ * together, with the same parameters: vtkDistributedFieldAlgorithm says more of that.
+ *
  * @sa
- * vtkMedialAxis vtkMedialPolyDataAlgorithm
+ * vtkMedialAxis vtkMedialPolyDataAlgorithm vtkDistributedFieldAlgorithm
  */
 
 #ifndef vtkMedialReconstruction_h
 #define vtkMedialReconstruction_h
 
 #include "vtkMedialFiltersModule.h" // For export macro
+#include "vtkMedialParameters.h"    // For parameters of several filters
 #include "vtkMedialPolyDataAlgorithm.h"
+#include "vtkSmartPointer.h" // For Controller
+
+class vtkMultiProcessController;
 
 class VTKMEDIALFILTERS_EXPORT vtkMedialReconstruction : public vtkMedialPolyDataAlgorithm
 {
@@ -66,17 +80,47 @@ public:
   vtkBooleanMacro(Interpolate, vtkTypeBool);
   ///@}
 
+  ///@{
+  /**
+   * Whether the inputs of all processes together are the axis, instead of each of them. It must be
+   * the same on all. Default is off.
+   */
+  vtkMedialDistributedInputMacro();
+  ///@}
+
+  ///@{
+  /**
+   * The processes among which the axis is distributed; null is a process on its own. Used when
+   * DistributedInput is on. Default is vtkMultiProcessController::GetGlobalController() of the time
+   * when the filter was made.
+   */
+  vtkMedialControllerMacro();
+  ///@}
+
+  /**
+   * What the input may be follows from DistributedInput.
+   */
+  void Modified() override;
+
 protected:
   vtkMedialReconstruction();
   ~vtkMedialReconstruction() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   void Execute(const std::vector<vtkPolyData*>& inputs,
     const std::vector<vtkPolyData*>& outputs) override;
 
   int Resolution = 128;
   vtkTypeBool Interpolate = true;
+  vtkTypeBool DistributedInput = false;
+  vtkSmartPointer<vtkMultiProcessController> Controller;
 
 private:
+  void ExecutePieces(vtkDataObject* input, vtkPolyData* output);
+
   vtkMedialReconstruction(const vtkMedialReconstruction&) = delete;
   void operator=(const vtkMedialReconstruction&) = delete;
 };

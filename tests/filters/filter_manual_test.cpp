@@ -276,7 +276,7 @@ TEST(FilterManual, OutputsHaveNoArraysThatTheManualsDoNotName)
 
 TEST(FilterManual, ReconstructionParametersAreExplainedAndPrinted)
 {
-  expectManual("vtkMedialReconstruction", 2, printed<vtkMedialReconstruction>());
+  expectManual("vtkMedialReconstruction", 3, printed<vtkMedialReconstruction>());
 }
 
 TEST(FilterManual, MedialThicknessParametersAreExplainedAndPrinted)

@@ -1,4 +1,6 @@
-"""Run by ranks_test.py under mpirun: fields, axes and thickness of a surface in pieces, one case after the other.
+"""Run by ranks_test.py under mpirun: fields, axes and thickness of a surface in pieces, surfaces of an axis in pieces.
+
+One case comes after the other.
 
 usage: ranked_field.py FOLDER
 FOLDER/cases.json has the cases; each rank writes what it computed of case C to FOLDER/C.RANK.npz.
@@ -6,6 +8,7 @@ FOLDER/cases.json has the cases; each rank writes what it computed of case C to 
 
 import ctypes
 import ctypes.util
+import functools
 import json
 import sys
 from pathlib import Path
@@ -18,6 +21,7 @@ from vtkmodules.vtkCommonCore import VTK_STRING, vtkPoints
 from vtkmodules.vtkCommonDataModel import (VTK_TRIANGLE, vtkCellArray, vtkMultiBlockDataSet,
                                            vtkPartitionedDataSet, vtkPartitionedDataSetCollection, vtkPolyData,
                                            vtkUnstructuredGrid)
+from vtkmodules.vtkFiltersCore import vtkAppendFilter
 
 ARRAYS = ("Distance", "ClosestPoint", "ClosestCell", "ClosestFeature", "ClosestSite")
 
@@ -34,6 +38,8 @@ def owners(case, count, ranks):
     """The rank of every triangle."""
     if case["pieces"] == "one":
         return np.full(count, case.get("owner", 0) % ranks)
+    if case["pieces"] == "none":
+        return np.full(count, ranks)
     if case["pieces"] == "runs":
         return np.arange(count) * ranks // count
     return np.random.default_rng(case.get("seed", 1)).integers(0, max(1, ranks - case.get("empty", 0)), count)
@@ -78,8 +84,62 @@ def block(case, cells, ghosts):
     return data
 
 
+@functools.cache
+def whole_axis():
+    """The axis of the surface, which one process has made."""
+    axis = field_filter({"axis": True, "options": {"Resolution": 32, "Angle": 20}})
+    axis.SetInputData(polydata(*surface()))
+    axis.Update()
+    return axis.GetOutput()
+
+
+def axis_block(cells):
+    """Some cells of the axis with the points that they use."""
+    axis = whole_axis()
+    corners = [[axis.GetCell(cell).GetPointId(i) for i in range(axis.GetCell(cell).GetNumberOfPoints())] for cell in cells]
+    used = sorted({point for ids in corners for point in ids})
+    number = {point: i for i, point in enumerate(used)}
+    places = vtk_to_numpy(axis.GetPoints().GetData())[used]
+    lists = {size: vtkCellArray() for size in (1, 2, 3)}
+    for ids in corners:
+        lists[min(len(ids), 3)].InsertNextCell(len(ids), [number[point] for point in ids])
+    data = vtkPolyData()
+    data.SetPoints(vtkPoints())
+    data.GetPoints().SetData(numpy_to_vtk(np.ascontiguousarray(places), deep=1))
+    data.SetVerts(lists[1])
+    data.SetLines(lists[2])
+    data.SetPolys(lists[3])
+    radius = numpy_to_vtk(vtk_to_numpy(axis.GetPointData().GetArray("Radius"))[used], deep=1)
+    radius.SetName("Radius")
+    data.GetPointData().AddArray(radius)
+    return data
+
+
+def axis_piece(case, rank, ranks):
+    """What a rank has of the axis."""
+    cells = np.flatnonzero(owners(case, whole_axis().GetNumberOfCells(), ranks) == rank)
+    if case.get("copies"):  # of what others have
+        cells = np.union1d(cells, np.arange(50 * rank, 100 + 70 * rank))
+    if len(cells) == 0:
+        return vtkPolyData()
+    if case.get("blocks"):
+        blocks = vtkMultiBlockDataSet()
+        for i, part in enumerate((axis_block(cells[::2]), vtkPolyData(), axis_block(cells[1::2]))):
+            blocks.SetBlock(i, part)
+        return blocks
+    data = axis_block(cells)
+    if case.get("grid"):
+        to_grid = vtkAppendFilter()
+        to_grid.SetInputData(data)
+        to_grid.Update()
+        return to_grid.GetOutput()
+    return data
+
+
 def piece(case, rank, ranks):
-    """What a rank has of the surface."""
+    """What a rank has of the surface, or of its axis."""
+    if case.get("reconstruction"):
+        return axis_piece(case, rank, ranks)
     points, triangles = surface()
     owner = owners(case, len(triangles), ranks)
     cells = np.flatnonzero(owner == rank)
@@ -119,11 +179,12 @@ def blocks_of(data):
 
 def field_filter(case):
     field = (medial.vtkMedialThickness() if case.get("thickness") else medial.vtkMedialAxis() if case.get("axis")
-             else medial.vtkMeshDistanceField())
-    if not case.get("thickness"):
+             else medial.vtkMedialReconstruction() if case.get("reconstruction") else medial.vtkMeshDistanceField())
+    if not case.get("thickness") and not case.get("reconstruction"):
         field.SetSignMethodToPseudonormal()
         field.SetEngineToProcessor()
-    field.SetNumberOfThreads(1)
+    if not case.get("reconstruction"):
+        field.SetNumberOfThreads(1)
     for name, value in case.get("options", {}).items():
         getattr(field, "Set" + name)(*value if isinstance(value, list) else (value,))
     return field
@@ -166,7 +227,17 @@ def thickness_arrays_of(surface):
     return arrays
 
 
+def reconstruction_arrays_of(surface):
+    """The places of the corners of triangles, and their normals."""
+    triangles = vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+    normals = vtk_to_numpy(surface.GetPointData().GetNormals())
+    return {"corners": corners_of(surface), "normals": normals[triangles],
+            "unused": np.setdiff1d(np.arange(surface.GetNumberOfPoints()), triangles)}
+
+
 def arrays_of(image):
+    if image.IsA("vtkPolyData") and image.GetPointData().GetNormals():
+        return reconstruction_arrays_of(image)
     if image.GetFieldData().HasArray("MinThickness"):
         return thickness_arrays_of(image)
     if image.IsA("vtkPolyData"):
@@ -187,6 +258,8 @@ def damage(case, data, rank):
             data.GetCellData().GetArray("vtkGlobalCellIds").SetValue(i, i)
     elif fault == "copies":  # of what others have, instead of its own
         return block(case, np.arange(300), np.empty(0, dtype=int))
+    elif fault == "Radius":
+        data.GetPointData().RemoveArray("Radius")
     elif fault == "hole":
         return block(case, np.arange(0), np.empty(0, dtype=int))
     elif fault == "type":
@@ -211,7 +284,14 @@ def compute(case, controller, folder, number):
     field.GetExecutive().AddObserver("ErrorEvent", lambda *_: None)  # VTK 9.1 reports them once more
     field.SetController(controller)
     field.DistributedInputOn()
-    field.SetInputDataObject(damage(case, piece(case, rank, ranks), rank))
+    if case.get("pipeline"):
+        axis = field_filter({"axis": True, "options": {"Resolution": 32, "Angle": 20}})
+        axis.SetController(controller)
+        axis.DistributedInputOn()
+        axis.SetInputData(piece({**case, "reconstruction": False}, rank, ranks))
+        field.SetInputConnection(axis.GetOutputPort())
+    else:
+        field.SetInputDataObject(damage(case, piece(case, rank, ranks), rank))
     if case.get("asks again") == rank:
         field.UpdateInformation()
         field.Modified()

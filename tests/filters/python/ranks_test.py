@@ -1,4 +1,4 @@
-"""vtkMeshDistanceField, vtkMedialAxis and vtkMedialThickness on surfaces in pieces: the bits of one process, and failures on all ranks.
+"""Surfaces and axes in pieces: the bits of one process, and failures on all ranks.
 
 usage: ranks_test.py MPIRUN
 """
@@ -13,7 +13,7 @@ from pathlib import Path
 
 import medial
 import numpy as np
-from ranked_field import ARRAYS, arrays_of, blocks_of, corners_of, field_filter, piece, polydata, surface
+from ranked_field import (ARRAYS, arrays_of, blocks_of, corners_of, field_filter, piece, polydata, surface, whole_axis)
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 MPIRUN = os.path.abspath(sys.argv[1])
@@ -253,6 +253,46 @@ class Ranks(unittest.TestCase):
             seen.extend(cells)
         self.assertEqual(sorted(seen), list(range(len(expected["corners"]))))
 
+    def expect_reconstruction_of_one(self, case, parts):
+        whole = field_filter(case)
+        whole.SetInputData(whole_axis())
+        whole.Update()
+        expected = rows_of(arrays_of(whole.GetOutput()))
+        self.assertGreater(len(expected), 1000)
+        found = []
+        for part in parts:
+            self.assertEqual(list(part["messages"]), [])
+            if "corners" in part:
+                self.assertEqual(part["unused"].size, 0)
+                found.extend(rows_of(part))
+        self.assertTrue(sorted(found) == sorted(expected))  # assertEqual would compare long texts for minutes
+        return sum("corners" in part and len(part["corners"]) > 0 for part in parts)
+
+    def test_reconstructions_are_those_of_one_process(self):
+        cases = [
+            {"pieces": "random", "options": {"Resolution": 64}},
+            {"pieces": "random", "options": {"Resolution": 50, "Interpolate": 0}},
+            {"pieces": "runs", "options": {"Resolution": 40}, "copies": True},
+            {"pieces": "runs", "options": {"Resolution": 40}, "grid": True},
+            {"pieces": "random", "options": {"Resolution": 40}, "blocks": "multiblock"},
+            {"pieces": "random", "empty": 1, "options": {"Resolution": 33}},
+            {"pieces": "one", "owner": 1, "options": {"Resolution": 48}},
+            {"pieces": "random", "ids": "cells points", "pipeline": True, "options": {"Resolution": 70}},
+            {"pieces": "random", "options": {"Resolution": 64}, "whole": True},
+        ]
+        cases = [{"reconstruction": True, **case} for case in cases]
+        for ranks, some in ((1, cases[:5]), (2, cases), (3, cases), (7, cases[:1] + cases[5:])):
+            for case, parts in zip(some, run(ranks, some)):
+                with self.subTest(ranks=ranks, case=case):
+                    busy = self.expect_reconstruction_of_one(case, parts)
+                    if case["options"]["Resolution"] == 64:
+                        self.assertEqual(busy, ranks)
+
+    def test_a_reconstruction_smaller_than_the_ranks_parts(self):
+        case = {"reconstruction": True, "pieces": "random", "options": {"Resolution": 30}}
+        (parts,) = run(12, [case])
+        self.assertLess(self.expect_reconstruction_of_one(case, parts), 12)
+
     def test_no_rank_holds_the_surface(self):
         cases = [{"pieces": "runs", "options": {"Resolution": 64}}, {"pieces": "runs", "thickness": True}]
         triangles = len(surface()[1])
@@ -307,6 +347,18 @@ class Ranks(unittest.TestCase):
             ({**thickness, "options of ranks": {"1": {"MaximumEdgeLength": 0.1}}},
              "rank 1: MaximumEdgeLength 0.1.*, but rank 0 has MaximumEdgeLength 0"),
         ]
+        reconstruction = {"reconstruction": True, "options": small}
+        failures += [
+            ({**reconstruction, "fault": "NaN", "rank": 1}, "^rank 1: point 0: coordinate -?nan is outside"),
+            ({**reconstruction, "fault": "type", "rank": 2}, "rank 2: cell 0 is a vtkTetra, not part of a surface"),
+            ({**reconstruction, "fault": "Radius", "rank": 1}, "^rank 1: the input has no point data array Radius"),
+            ({**reconstruction, "options of ranks": {"1": {"Resolution": 21}}},
+             "rank 1: Resolution 21, but rank 0 has Resolution 20"),
+            ({**reconstruction, "options of ranks": {"2": {"Interpolate": 0}}},
+             "rank 2: Interpolate 0, but rank 0 has Interpolate 1"),
+            ({**reconstruction, "options": {"Resolution": 1}}, "^resolution 1 is outside"),
+            ({**reconstruction, "pieces": "none"}, "^the medial axis has 0 points"),
+        ]
         good = {"pieces": "random", "options": small}
         cases = [{"pieces": "random", **case} for case, _ in failures] + [good]
         *found, last = run(3, cases)
@@ -319,6 +371,11 @@ class Ranks(unittest.TestCase):
                     self.assertNotIn("Distance", part)
                     self.assertEqual(part.get("points", np.empty(0)).size, 0)
         self.expect_bits_of_one(good, last)
+
+
+def rows_of(arrays):
+    """A triangle's corners and normals as bytes."""
+    return [corners + normals for corners, normals in zip(bytes_of(arrays["corners"]), bytes_of(arrays["normals"]))]
 
 
 def bytes_of(rows):
