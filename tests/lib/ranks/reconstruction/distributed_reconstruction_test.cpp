@@ -15,7 +15,6 @@
 #include <array>
 #include <atomic>
 #include <cmath>
-#include <cstring>
 #include <functional>
 #include <random>
 #include <string>
@@ -163,7 +162,8 @@ std::size_t differences(const Grid& grid, const std::vector<float>& whole, const
         const float expected =
           whole[(static_cast<std::size_t>(k) * grid.dimensions[1] + j) * grid.dimensions[0] + i];
         const bool near = std::abs(expected) < band;
-        const bool alike = near ? std::memcmp(&expected, &part[at], sizeof(float)) == 0
+        const bool sameSign = std::signbit(expected) == std::signbit(part[at]); // of zeros, too
+        const bool alike = near ? expected == part[at] && sameSign
                                 : std::abs(part[at]) >= band && (part[at] < 0) == (expected < 0);
         count += alike ? 0 : 1;
       }
