@@ -3,6 +3,7 @@
 #include "axis/sheets/border_rims.h"
 #include "axis/sheets/crease_rims.h"
 #include "base/extents.h"
+#include "ranks/axis/corner_cells.h"
 #include "ranks/axis/curve_pieces.h"
 #include "ranks/axis/sites_here.h"
 #include "ranks/collective.h"
@@ -175,15 +176,12 @@ bool PreservedPieces::addSolid(const Part& part, const DepthField& depth, Side s
 std::vector<CornerCells> PreservedPieces::sendCells(const std::vector<CornerCells>& cells,
   int halo) const
 {
-  RankLists<CornerCells> lists = listsFor<CornerCells>(input_.communicator);
-  for (std::size_t rank = 0; rank < lists.size() && !cells.empty(); ++rank)
-  {
-    const Extent box = grownUpwards(input_.part.share().withHalo(static_cast<int>(rank), halo),
-      kTold, input_.part.share().whole());
-    std::copy_if(cells.begin(), cells.end(), std::back_inserter(lists[rank]),
-      [&](CornerCells cell) { return hasPoint(box, corners_.position(cell.position())); });
-  }
-  return exchanged(input_.communicator, std::move(lists)).front();
+  return sentCells(input_.communicator, corners_, cells,
+    [&](int rank)
+    {
+      const GridShare& share = input_.part.share();
+      return grownUpwards(share.withHalo(rank, halo), kTold, share.whole());
+    });
 }
 
 /// Places the points of this rank.
@@ -248,12 +246,7 @@ bool PreservedPieces::setPoints(const Part& part, const DepthField& depth,
   }
   const VertexFinder vertices(order_, part.selection->part, part.crossings);
   CubicalComplex complex(grownUpwards(share.withHalo(halo), kTold, share.whole()), corners_.size());
-  for (const CornerCells left : cells)
-  {
-    complex.insert(
-      CubicalComplex::index(complex.cell(corners_.position(left.position()), kVertexKind)),
-      left.bits());
-  }
+  insertCells(corners_, cells, complex);
   bool found = true;
   std::vector<CubeCell> cubeCells;
   for (CornerRecord& record : around)

@@ -4,11 +4,13 @@
 #include "base/sorted_set.h"
 #include "ranks/collective.h"
 #include "thinning/solid_topology.h"
+#include "thinning/voxel_surface.h"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <numeric>
 #include <optional>
 #include <unordered_map>
@@ -105,9 +107,9 @@ std::vector<LabelPair> meetingParts(const std::vector<BorderPoint>& around, cons
     {
       continue;
     }
-    for (int step = 0; step < 27; ++step)
+    for (int step = 0; step < kAround; ++step)
     {
-      const glm::ivec3 offset(step % 3 - 1, step / 3 % 3 - 1, step / 9 - 1);
+      const glm::ivec3 offset = offsetOf(step);
       const glm::ivec3 point = there.point + offset;
       const bool touches =
         there.inside != 0 || std::abs(offset.x) + std::abs(offset.y) + std::abs(offset.z) == 1;

@@ -2,6 +2,7 @@
 
 #include "base/memory_guard.h"
 #include "base/sorted_set.h"
+#include "ranks/axis/corner_cells.h"
 #include "ranks/axis/depth_requests.h"
 #include "ranks/axis/shared_solid.h"
 #include "ranks/collective.h"
@@ -11,7 +12,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -171,30 +171,17 @@ SelectedCrossings SharedThinning::selectedWithin(const DepthField& depth) const
 std::vector<std::size_t> SharedThinning::undecided(const SolidVoxels& here,
   const SolidThinning* thinning, const Checkpoint& checkpoint) const
 {
-  RankLists<CornerCells> lists = listsFor<CornerCells>(input_.communicator);
-  const Extent& whole = input_.part.share().whole();
-  if (thinning != nullptr)
-  {
-    const std::vector<CornerCells> cells = cornersOf(thinning->complex());
-    for (std::size_t rank = 0; rank < lists.size(); ++rank)
-    {
-      const Extent wanted = grownUpwards(extents_[rank], 1, whole);
-      std::copy_if(cells.begin(), cells.end(), std::back_inserter(lists[rank]),
-        [&](CornerCells cell) { return hasPoint(wanted, corners_.position(cell.position())); });
-    }
-  }
-  const std::vector<CornerCells> cells = exchanged(input_.communicator, std::move(lists)).front();
+  const std::vector<CornerCells> cells = sentCells(input_.communicator, corners_,
+    thinning != nullptr ? cornersOf(thinning->complex()) : std::vector<CornerCells>(),
+    [&](int rank) {
+      return grownUpwards(extents_[static_cast<std::size_t>(rank)], 1, input_.part.share().whole());
+    });
   std::vector<std::int64_t> own;
   input_.part.locally(
     [&]
     {
       CubicalComplex sheets(here.part(), corners_.size());
-      for (const CornerCells cell : cells)
-      {
-        sheets.insert(
-          CubicalComplex::index(sheets.cell(corners_.position(cell.position()), kVertexKind)),
-          cell.bits());
-      }
+      insertCells(corners_, cells, sheets);
       for (const std::size_t voxel : undecidedVoxels(here, sheets, checkpoint))
       {
         own.push_back(corners_.of(sheets.position(8 * static_cast<CubeCell>(voxel))));
