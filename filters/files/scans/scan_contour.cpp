@@ -1,5 +1,7 @@
 #include "files/scans/scan_contour.h"
 
+#include "files/scans/image_mask.h"
+
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
 #include <vtkDataArray.h>
@@ -134,20 +136,9 @@ void markFrom(const T* values, vtkIdType count, double value, unsigned char* mar
 // 1 where an image has a value or more, else 0.
 vtkSmartPointer<vtkImageData> maskFrom(vtkImageData* image, double value)
 {
-  auto mask = vtkSmartPointer<vtkImageData>::New();
-  mask->CopyStructure(image);
-  mask->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
-  auto* const marks = static_cast<unsigned char*>(mask->GetScalarPointer());
-  vtkDataArray* values = image->GetPointData()->GetScalars();
-  const vtkIdType count = values->GetNumberOfTuples();
-  switch (values->GetDataType())
-  {
-    vtkTemplateMacro(
-      markFrom(static_cast<const VTK_TT*>(values->GetVoidPointer(0)), count, value, marks));
-    default:
-      std::fill(marks, marks + count, static_cast<unsigned char>(0)); // no type of numbers
-  }
-  return mask;
+  return maskOf(image,
+    [value](const auto* values, vtkIdType count, unsigned char* marks)
+    { markFrom(values, count, value, marks); });
 }
 
 // Points of a surface on the edges between voxels above a value and voxels below it.

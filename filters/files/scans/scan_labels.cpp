@@ -1,6 +1,7 @@
 #include "files/scans/scan_labels.h"
 
 #include "files/parsed_number.h"
+#include "files/scans/image_mask.h"
 #include "files/scans/number_text.h"
 
 #include <vtkDataArray.h>
@@ -126,20 +127,9 @@ std::string listOf(const T* values, vtkIdType count)
 
 vtkSmartPointer<vtkImageData> maskOfLabel(vtkImageData* image, long long label)
 {
-  auto mask = vtkSmartPointer<vtkImageData>::New();
-  mask->CopyStructure(image);
-  mask->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
-  auto* const marks = static_cast<unsigned char*>(mask->GetScalarPointer());
-  vtkDataArray* values = image->GetPointData()->GetScalars();
-  const vtkIdType count = values->GetNumberOfTuples();
-  switch (values->GetDataType())
-  {
-    vtkTemplateMacro(
-      mark(static_cast<const VTK_TT*>(values->GetVoidPointer(0)), count, label, marks));
-    default:
-      std::fill(marks, marks + count, static_cast<unsigned char>(0)); // no type of numbers
-  }
-  return mask;
+  return maskOf(image,
+    [label](const auto* values, vtkIdType count, unsigned char* marks)
+    { mark(values, count, label, marks); });
 }
 
 std::string labelsOf(vtkImageData* image)
