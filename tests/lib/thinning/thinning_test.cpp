@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <map>
 #include <random>
 #include <utility>
@@ -162,6 +163,20 @@ int count(const CubicalComplex& complex, int dimension)
       CubicalComplex::dimension(CubicalComplex::kind(cell)) == dimension && complex.has(cell);
   }
   return count;
+}
+
+/// Some of the faces between two voxels.
+/// @param share of them, in eighths.
+std::vector<CubeCell> innerFaces(const CubicalComplex& solid, std::mt19937& random, unsigned share)
+{
+  std::vector<CubeCell> inner;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const std::vector<CubeCell> faces = cellsOf(solid, kFaceKind + axis);
+    std::copy_if(faces.begin(), faces.end(), std::back_inserter(inner),
+      [&](CubeCell face) { return solid.cofaceCount(face) == 2 && random() % 8 < share; });
+  }
+  return inner;
 }
 
 /// The faces of cells that are there are there.
@@ -321,15 +336,8 @@ TEST(SolidCore, WithSheetsHasTheTopologyOfRandomVoxels)
       voxels.set(i, random() % 60 < static_cast<unsigned>(round) / 2 ? depth : -depth);
     }
     const CubicalComplex solid = voxels.solid();
-    std::vector<CubeCell> sheets;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const std::vector<CubeCell> faces = cellsOf(solid, kFaceKind + axis);
-      std::copy_if(faces.begin(), faces.end(), std::back_inserter(sheets),
-        [&](CubeCell face) {
-          return solid.cofaceCount(face) == 2 && random() % 8 < static_cast<unsigned>(round % 8);
-        });
-    }
+    const std::vector<CubeCell> sheets =
+      innerFaces(solid, random, static_cast<unsigned>(round % 8));
     const std::vector<std::size_t> core = voxels.core({}, sheets);
     CubicalComplex complex = voxels.closed(core);
     complex.insert(closureOf(solid.size(), sheets));
@@ -354,15 +362,7 @@ TEST(SolidCore, FoundInPartsIsThatOfTheWhole)
       voxels.set(i, random() % 60 < static_cast<unsigned>(round) ? depth : -depth);
     }
     const CubicalComplex solid = voxels.solid();
-    std::vector<CubeCell> faces;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const std::vector<CubeCell> all = cellsOf(solid, kFaceKind + axis);
-      std::copy_if(all.begin(), all.end(), std::back_inserter(faces),
-        [&](CubeCell face) {
-          return solid.cofaceCount(face) == 2 && random() % 8 < static_cast<unsigned>(round % 4);
-        });
-    }
+    const std::vector<CubeCell> faces = innerFaces(solid, random, static_cast<unsigned>(round % 4));
     std::vector<Crossing> crossings;
     for (int i = 0; i < round % 5; ++i)
     {
