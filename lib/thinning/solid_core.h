@@ -32,20 +32,11 @@ namespace medial
 std::vector<std::size_t> coreOf(const SolidVoxels& solid, const CubicalComplex& sheets,
   const std::vector<Crossing>& crossings, const Checkpoint& checkpoint);
 
-///@{
-/// The same in two steps: in parts of the grid, and then for all of it, where the second step looks
-/// at few voxels.
-/// @param sheets in the part.
-/// @return positions in the part of the voxels that need the order, or the way up to deeper ones.
-///   Those in the outer layers of the part are left out.
-std::vector<std::size_t> undecidedVoxels(const SolidVoxels& solid, const CubicalComplex& sheets,
-  const Checkpoint& checkpoint);
-
+/// The same of a solid whose undecided voxels are known: looks at few others.
 /// @param voxels as they are loaded.
-/// @param undecided of the whole grid, ascending.
+/// @param undecided of the whole grid, ascending; see undecidedVoxels().
 std::vector<std::size_t> coreOf(SparseVoxels& voxels, const CubicalComplex& sheets,
   const std::vector<Crossing>& crossings, const std::vector<std::size_t>& undecided,
   const Checkpoint& checkpoint);
-///@}
 
 } // namespace medial

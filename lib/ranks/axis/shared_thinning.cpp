@@ -9,6 +9,7 @@
 #include "thinning/curve_probe.h"
 #include "thinning/preserved_axis.h"
 #include "thinning/solid_core.h"
+#include "thinning/undecided_voxels.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -182,7 +183,7 @@ std::vector<std::size_t> SharedThinning::undecided(const SolidVoxels& here,
     {
       CubicalComplex sheets(here.part(), corners_.size());
       insertCells(corners_, cells, sheets);
-      for (const std::size_t voxel : undecidedVoxels(here, sheets, checkpoint))
+      for (const std::size_t voxel : undecidedVoxels(here, voxelsOf(here), sheets, checkpoint))
       {
         own.push_back(corners_.of(sheets.position(8 * static_cast<CubeCell>(voxel))));
       }

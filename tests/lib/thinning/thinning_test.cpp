@@ -6,6 +6,7 @@
 #include "thinning/solid_thinning.h"
 #include "thinning/solid_topology.h"
 #include "thinning/sparse_voxels.h"
+#include "thinning/undecided_voxels.h"
 
 #include "support/shapes.h"
 #include "support/voxel_topology.h"
@@ -80,9 +81,9 @@ public:
       }
     }
     const DepthField depth(distance.data(), Side::Interior, 1.0);
+    const SolidVoxels solid(depth, part, this->dims());
     std::vector<std::size_t> undecided;
-    for (const std::size_t voxel :
-      undecidedVoxels({ depth, part, this->dims() }, here, checkpoint_))
+    for (const std::size_t voxel : undecidedVoxels(solid, voxelsOf(solid), here, checkpoint_))
     {
       const glm::ivec3 point = here.position(8 * static_cast<CubeCell>(voxel));
       undecided.push_back(this->index(point.x, point.y, point.z));
