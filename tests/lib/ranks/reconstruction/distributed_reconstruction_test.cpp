@@ -150,7 +150,8 @@ std::size_t differences(const Grid& grid, const std::vector<float>& whole, const
   const std::vector<float>& part)
 {
   EXPECT_EQ(static_cast<std::int64_t>(part.size()), extent.pointCount());
-  const double band = 3.0 * *std::max_element(grid.spacing.begin(), grid.spacing.end());
+  const auto band =
+    static_cast<float>(3.0 * *std::max_element(grid.spacing.begin(), grid.spacing.end()));
   std::size_t count = 0;
   std::size_t at = 0;
   for (int k = extent.min[2]; k <= extent.max[2]; ++k)
