@@ -63,11 +63,6 @@ public:
   vtkMedialControllerMacro();
   ///@}
 
-  /**
-   * What the input may be follows from DistributedInput.
-   */
-  void Modified() override;
-
 protected:
   vtkDistributedFieldAlgorithm();
   ~vtkDistributedFieldAlgorithm() override;

@@ -67,11 +67,13 @@
     SIGN_WINDING = 3                                                                               \
   }
 
-/// DistributedInput: whether the inputs of all processes together are the surface.
+/// DistributedInput: whether the inputs of all processes together are the surface. What the input
+/// may be follows from it.
 #define vtkMedialDistributedInputMacro()                                                           \
   vtkSetMacro(DistributedInput, vtkTypeBool);                                                      \
   vtkGetMacro(DistributedInput, vtkTypeBool);                                                      \
-  vtkBooleanMacro(DistributedInput, vtkTypeBool)
+  vtkBooleanMacro(DistributedInput, vtkTypeBool);                                                  \
+  void Modified() override
 
 /// Controller: the processes among which the surface is distributed.
 #define vtkMedialControllerMacro()                                                                 \

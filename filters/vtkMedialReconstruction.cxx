@@ -2,10 +2,10 @@
 
 #include "vtkCellArray.h"
 #include "vtkDataObject.h"
+#include "vtkDistributedInput.h"
 #include "vtkFloatArray.h"
 #include "vtkFlyingEdges3D.h"
 #include "vtkImageData.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMarchingCubesTriangleCases.h"
 #include "vtkMedialCells.h"
@@ -13,7 +13,6 @@
 #include "vtkMedialModelConversion.h"
 #include "vtkMedialProgress.h"
 #include "vtkMedialRanks.h"
-#include "vtkMedialRequests.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -251,37 +250,7 @@ vtkMedialReconstruction::vtkMedialReconstruction()
 vtkMedialReconstruction::~vtkMedialReconstruction() = default;
 
 //------------------------------------------------------------------------------
-vtkCxxSetSmartPointerMacro(vtkMedialReconstruction, Controller, vtkMultiProcessController);
-
-//------------------------------------------------------------------------------
-vtkMultiProcessController* vtkMedialReconstruction::GetController()
-{
-  return this->Controller;
-}
-
-//------------------------------------------------------------------------------
-void vtkMedialReconstruction::Modified()
-{
-  this->FillInputPortInformation(0, this->GetInputPortInformation(0));
-  this->Superclass::Modified();
-}
-
-//------------------------------------------------------------------------------
-int vtkMedialReconstruction::FillInputPortInformation(int, vtkInformation* info)
-{
-  vtkAcceptSurface(info, this->DistributedInput != 0);
-  return 1;
-}
-
-//------------------------------------------------------------------------------
-int vtkMedialReconstruction::RequestUpdateExtent(vtkInformation*,
-  vtkInformationVector** inputVector, vtkInformationVector*)
-{
-  // Unless the axis is distributed, this process is a rank on its own and gets the whole.
-  const vtkMedialRanks ranks(this->DistributedInput ? this->Controller.Get() : nullptr);
-  vtkRequestPiece(inputVector[0]->GetInformationObject(0), ranks.rank(), ranks.size());
-  return 1;
-}
+vtkCxxDistributedInputMacro(vtkMedialReconstruction);
 
 //------------------------------------------------------------------------------
 int vtkMedialReconstruction::RequestData(vtkInformation* request,

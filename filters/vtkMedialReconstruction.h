@@ -97,11 +97,6 @@ public:
   vtkMedialControllerMacro();
   ///@}
 
-  /**
-   * What the input may be follows from DistributedInput.
-   */
-  void Modified() override;
-
 protected:
   vtkMedialReconstruction();
   ~vtkMedialReconstruction() override;

@@ -1,14 +1,13 @@
 #include "vtkMedialThickness.h"
 
 #include "vtkDataObject.h"
-#include "vtkInformation.h"
+#include "vtkDistributedInput.h"
 #include "vtkInformationVector.h"
 #include "vtkMedialEnumerations.h"
 #include "vtkMedialExecution.h"
 #include "vtkMedialFigures.h"
 #include "vtkMedialProgress.h"
 #include "vtkMedialRanks.h"
-#include "vtkMedialRequests.h"
 #include "vtkMeshConversion.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
@@ -131,37 +130,7 @@ const char* vtkMedialThickness::GetMethodAsString()
 }
 
 //------------------------------------------------------------------------------
-vtkCxxSetSmartPointerMacro(vtkMedialThickness, Controller, vtkMultiProcessController);
-
-//------------------------------------------------------------------------------
-vtkMultiProcessController* vtkMedialThickness::GetController()
-{
-  return this->Controller;
-}
-
-//------------------------------------------------------------------------------
-void vtkMedialThickness::Modified()
-{
-  this->FillInputPortInformation(0, this->GetInputPortInformation(0));
-  this->Superclass::Modified();
-}
-
-//------------------------------------------------------------------------------
-int vtkMedialThickness::FillInputPortInformation(int, vtkInformation* info)
-{
-  vtkAcceptSurface(info, this->DistributedInput != 0);
-  return 1;
-}
-
-//------------------------------------------------------------------------------
-int vtkMedialThickness::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputVector,
-  vtkInformationVector*)
-{
-  // Unless the surface is distributed, this process is a rank on its own and gets the whole.
-  const vtkMedialRanks ranks(this->DistributedInput ? this->Controller.Get() : nullptr);
-  vtkRequestPiece(inputVector[0]->GetInformationObject(0), ranks.rank(), ranks.size());
-  return 1;
-}
+vtkCxxDistributedInputMacro(vtkMedialThickness);
 
 //------------------------------------------------------------------------------
 int vtkMedialThickness::RequestData(vtkInformation* request, vtkInformationVector** inputVector,

@@ -199,11 +199,6 @@ public:
   vtkMedialControllerMacro();
   ///@}
 
-  /**
-   * What the input may be follows from DistributedInput.
-   */
-  void Modified() override;
-
 protected:
   vtkMedialThickness();
   ~vtkMedialThickness() override;
