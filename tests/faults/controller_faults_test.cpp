@@ -170,11 +170,8 @@ void expectFailuresToBeKnown(const Work& work)
 {
   std::int64_t count = 0;
   ASSERT_EQ(endings(0, work, &count), std::vector<std::string>(kRanks));
-  constexpr std::int64_t kTries = 50;
-  const std::int64_t step =
-    std::max<std::int64_t>(std::min(count / kTries, stepBetweenFailures()), 1);
   std::set<char> failed; // ranks
-  for (std::int64_t n = 1; n <= count; n += step)
+  for (std::int64_t n = 1; n <= count; n += stepBetweenFailures(count))
   {
     SCOPED_TRACE("allocation " + std::to_string(n) + " of " + std::to_string(count));
     const std::vector<std::string> errors = endings(n, work, nullptr);

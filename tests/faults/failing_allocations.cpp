@@ -87,10 +87,12 @@ std::int64_t stopFailing()
   return counted;
 }
 
-std::int64_t stepBetweenFailures()
+std::int64_t stepBetweenFailures(std::int64_t count)
 {
+  constexpr std::int64_t kTries = 50;
   const char* text = std::getenv("MEDIAL_FAULT_STEP");
-  return text != nullptr ? std::atoll(text) : 101;
+  const std::int64_t step = text != nullptr ? std::atoll(text) : 101;
+  return std::max<std::int64_t>(std::min(count / kTries, step), 1);
 }
 
 std::int64_t liveBlocks()

@@ -21,8 +21,9 @@ void failAllocation(std::int64_t n, Failing failing);
 std::int64_t stopFailing();
 
 /// Returns the distance between the allocations that tests let fail: that in the environment
-/// variable MEDIAL_FAULT_STEP, where 1 tries all of them.
-std::int64_t stepBetweenFailures();
+/// variable MEDIAL_FAULT_STEP, where 1 tries all of them, or less, so that 50 are tried.
+/// @param count of allocations.
+std::int64_t stepBetweenFailures(std::int64_t count);
 
 /// Blocks that are allocated now.
 std::int64_t liveBlocks();

@@ -195,7 +195,7 @@ TEST_F(LibraryFaults, EachAllocationMayFail)
     const std::int64_t count = stopFailing();
     for (const Failing failing : { Failing::Once, Failing::FromOn })
     {
-      for (std::int64_t n = 1; n <= count; n += stepBetweenFailures())
+      for (std::int64_t n = 1; n <= count; n += stepBetweenFailures(count))
       {
         // What stays in caches is allocated once, what leaks, twice.
         refused += survives(stage, file, expected, n, failing) ? 0 : 1;

@@ -30,7 +30,7 @@ constexpr int kRanks = 3;
 struct Ending
 {
   std::string error;
-  std::vector<Point3> points;
+  std::vector<Point3> points; ///< or values in their first coordinates
 };
 
 /// What ranks do together.
@@ -84,6 +84,38 @@ Work regions()
         places.push_back(region.place);
       }
       return places;
+    } };
+}
+
+/// The distances in a rank's part of the grid from balls at the corners of triangles, and from what
+/// lies between them.
+Work reconstruction()
+{
+  return { "Reconstruction",
+    [](Communicator& communicator, const SurfacePiece& piece, const Grid& grid)
+    {
+      std::vector<Point3> distances;
+      agree(communicator,
+        [&]
+        {
+          MedialModel model;
+          model.centres = piece.mesh.points;
+          model.radii.assign(model.centres.size(), 0.1);
+          for (const auto& [a, b, c] : piece.mesh.triangles)
+          {
+            model.triangles.push_back({ a, b, c });
+          }
+          modelBounds(communicator, model);
+          ReconstructionOptions options;
+          options.execution.threads = 1;
+          const Extent extent = partsOfGrid(grid, kRanks)[communicator.rank()];
+          for (const float distance :
+            computeReconstruction(communicator, model, grid, extent, options))
+          {
+            distances.push_back({ distance, 0.0, 0.0 });
+          }
+        });
+      return distances;
     } };
 }
 
@@ -141,7 +173,7 @@ TEST_P(RankFaults, OnOneRankAreKnownToAll)
   const std::vector<Ending> expected = run(pieces, grid, GetParam(), 0, &count);
   ASSERT_FALSE(expected.front().points.empty());
   std::set<char> failed; // ranks
-  for (std::int64_t n = 1; n <= count; n += stepBetweenFailures())
+  for (std::int64_t n = 1; n <= count; n += stepBetweenFailures(count))
   {
     SCOPED_TRACE("allocation " + std::to_string(n) + " of " + std::to_string(count));
     const std::vector<Ending> endings = run(pieces, grid, GetParam(), n);
@@ -163,7 +195,7 @@ TEST_P(RankFaults, OnOneRankAreKnownToAll)
 
 INSTANTIATE_TEST_SUITE_P(Works, RankFaults,
   testing::Values(axis("Selected", Topology::Selected), axis("Preserve", Topology::Preserve),
-    regions()),
+    regions(), reconstruction()),
   testing::PrintToStringParamName());
 
 } // namespace
