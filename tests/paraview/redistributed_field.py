@@ -1,4 +1,5 @@
-"""Run by redistributed_test.py in pvbatch: field, axis and thickness of a surface that RedistributeDataSet shares out.
+"""Run by redistributed_test.py in pvbatch: field, axis, its reconstruction and thickness of a surface that
+RedistributeDataSet shares out.
 
 usage: pvbatch redistributed_field.py FOLDER
 """
@@ -25,6 +26,10 @@ def field_of(source, mode):
 
 def axis_of(source, mode):
     return MedialAxis(Input=source, Resolution=40, Engine="Processor", DistributedInput=int(mode is not None))
+
+
+def reconstruction_of(axis, mode):
+    return MedialReconstruction(Input=axis, Resolution=40, DistributedInput=int(mode is not None))
 
 
 def thickness_of(source, mode):
@@ -77,6 +82,7 @@ for mode in (None, *MODES):
     SaveData(os.path.join(folder, f"{name}.pvti"), proxy=field)
     axis = axis_of(source, mode)
     SaveData(os.path.join(folder, f"{name}.pvtp"), proxy=axis)
+    SaveData(os.path.join(folder, f"{name}_reconstruction.pvtp"), proxy=reconstruction_of(axis, mode))
     thickness = thickness_of(source, mode)
     SaveData(os.path.join(folder, f"{name}_thickness.pvtp"), proxy=thickness)
     result[name] = {**figures(field), "axis": axis_figures(axis),

@@ -83,6 +83,17 @@ class Redistributed(unittest.TestCase):
                 self.assertAlmostEqual(self.results[processes][mode]["thickness"]["area"],
                                        self.results[1]["whole"]["thickness"]["area"], delta=1e-4)
 
+    def test_reconstructions_have_the_triangles_of_the_whole(self):
+        points, triangles, shared = reconstruction_of(self.runs[1], "whole")
+        self.assertGreater(len(triangles), 1000)
+        for processes in PROCESSES:
+            for mode in MODES[:2]:
+                with self.subTest(processes=processes, mode=mode):
+                    found = reconstruction_of(self.runs[processes], mode)
+                    self.assertTrue(found[0] == points)
+                    self.assertTrue(found[1] == triangles)  # each once
+                    self.assertEqual(found[2] > shared, processes > 1)  # on cuts
+
     def test_filters_behind_an_axis_find_the_same(self):
         expected = self.results[1]["whole"]["axis"]
         self.assertGreater(expected["curves"][1], 20)
@@ -128,6 +139,13 @@ def thickness_of(folder, mode):
     points, cells = elements_of(surface, "Thickness")
     values = vtk_to_numpy(surface.GetCellData().GetArray("Thickness"))
     return set(points), sorted((cell, value.tobytes()) for cell, value in zip(cells, values))
+
+
+def reconstruction_of(folder, mode):
+    """The points that processes wrote, with their normals, the triangles in no order, and how often a point is there
+    again."""
+    points, triangles = elements_of(polydata_of(Path(folder, f"{mode}_reconstruction.pvtp")), "Normals")
+    return set(points), sorted(triangles), len(points) - len(set(points))
 
 
 def corners_of(cell):
