@@ -1,3 +1,4 @@
+#include "huge_heap.h"
 #include "memory_probe.h"
 #include "options.h"
 #include "suites/suite.h"
@@ -13,6 +14,7 @@ using namespace medial::benchmark;
 
 void runSuites(const Options& options)
 {
+  medial::app::useHugeHeap(); // as the programs do; all methods have it
   const Machine machine = describeMachine();
   const SuiteContext context(options,
     [&](const SuiteReport& report) { writeReport(report, machine, options.output); });

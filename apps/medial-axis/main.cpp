@@ -1,3 +1,4 @@
+#include "huge_heap.h"
 #include "options.h"
 #include "program_main.h"
 #include "ranks/rank_session.h"
@@ -25,6 +26,7 @@ int main(int argc, char** argv)
       }
       if (const auto options = medial::app::parseOptions(argc, argv))
       {
+        medial::app::useHugeHeap();
         medial::app::run(*options);
       }
     });

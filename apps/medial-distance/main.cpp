@@ -1,5 +1,6 @@
 #include "distance_command.h"
 #include "distance_run.h"
+#include "huge_heap.h"
 #include "program_main.h"
 
 int main(int argc, char** argv)
@@ -9,6 +10,7 @@ int main(int argc, char** argv)
     {
       if (const auto command = medial::app::parseDistanceCommand(argc, argv))
       {
+        medial::app::useHugeHeap();
         medial::app::runDistance(*command);
       }
     });

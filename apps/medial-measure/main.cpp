@@ -1,3 +1,4 @@
+#include "huge_heap.h"
 #include "measure_command.h"
 #include "measure_run.h"
 #include "program_main.h"
@@ -9,6 +10,7 @@ int main(int argc, char** argv)
     {
       if (const auto command = medial::app::parseMeasureCommand(argc, argv))
       {
+        medial::app::useHugeHeap();
         medial::app::runMeasure(*command);
       }
     });

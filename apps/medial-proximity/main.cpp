@@ -1,3 +1,4 @@
+#include "huge_heap.h"
 #include "program_main.h"
 #include "proximity_command.h"
 #include "proximity_run.h"
@@ -9,6 +10,7 @@ int main(int argc, char** argv)
     {
       if (const auto command = medial::app::parseProximityCommand(argc, argv))
       {
+        medial::app::useHugeHeap();
         medial::app::runProximity(*command);
       }
     });

@@ -271,13 +271,7 @@ std::vector<Extent> WorkCut::partsOfHalf(const Extent& extent, int count,
 std::vector<Extent> partsOfWork(Communicator& communicator, const Grid& grid, const WorkCut& cut,
   const std::vector<WorkBox>& own)
 {
-  RankLists<WorkBox> lists = listsFor<WorkBox>(communicator);
-  lists.front() = own;
-  std::vector<WorkBox> boxes;
-  for (const std::vector<WorkBox>& list : exchanged(communicator, lists))
-  {
-    boxes.insert(boxes.end(), list.begin(), list.end());
-  }
+  const std::vector<WorkBox> boxes = atFirst(communicator, own);
   std::vector<Extent> parts;
   if (communicator.rank() == 0)
   {
