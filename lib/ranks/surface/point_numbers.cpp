@@ -5,6 +5,7 @@
 #include "mesh/position_hash.h"
 #include "ranks/surface/rank_sorting.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -16,6 +17,9 @@ namespace medial
 {
 namespace
 {
+
+/// Stands for the place of a number that points at two positions have.
+constexpr int kTwoPositions = -1;
 
 /// A point of a piece.
 struct PointOffer
@@ -77,7 +81,7 @@ DistinctPoints distinctPoints(const RankLists<PointOffer>& offers, bool weld,
   return points;
 }
 
-/// Returns the places of numbers in the order of all.
+/// Returns the places of numbers in the order of all, kTwoPositions for those that are there twice.
 RankLists<int> numbersOf(Communicator& communicator, const RankLists<std::int64_t>& firsts,
   RankOffsets& offsets)
 {
@@ -85,22 +89,42 @@ RankLists<int> numbersOf(Communicator& communicator, const RankLists<std::int64_
   const auto sorted = sortedItems(wanted, std::less<>());
   offsets = RankOffsets(communicator, static_cast<std::int64_t>(sorted.size()));
   requireCount("the surface", offsets.total(), "points");
-  for (std::size_t i = 1; i < sorted.size(); ++i)
-  {
-    const auto& [rank, at] = sorted[i];
-    if (wanted[rank][at] == wanted[sorted[i - 1].first][sorted[i - 1].second])
-    {
-      throw Error(ErrorCode::InvalidInput,
-        "point " + std::to_string(wanted[rank][at]) + " has two positions");
-    }
-  }
   RankLists<int> replies = numbersFor(wanted);
   auto number = static_cast<int>(offsets.first[communicator.rank()]);
   for (const auto& [rank, i] : sorted)
   {
     replies[rank][i] = number++;
   }
+  for (std::size_t i = 1; i < sorted.size(); ++i)
+  {
+    const auto& [rank, at] = sorted[i];
+    const auto& [rankBefore, before] = sorted[i - 1];
+    if (wanted[rank][at] == wanted[rankBefore][before])
+    {
+      replies[rank][at] = kTwoPositions;
+      replies[rankBefore][before] = kTwoPositions;
+    }
+  }
   return exchanged(communicator, std::move(replies));
+}
+
+/// Makes replies about distinct points answers to the offers of these.
+/// @param points whose `ofOffer` becomes the answers.
+void answerOffers(const RankLists<PointOffer>& offers, const RankLists<int>& replies,
+  DistinctPoints& points)
+{
+  for (std::size_t rank = 0; rank < offers.size(); ++rank)
+  {
+    for (std::size_t i = 0; i < offers[rank].size(); ++i)
+    {
+      int& answer = points.ofOffer[rank][i];
+      const auto& [bucket, at] = points.placeOf[answer];
+      // Only the lowest number at a position counts. Who has another one there has made no mistake,
+      // and learns from the others that the surface is not numbered.
+      const bool counts = offers[rank][i].order == points.firsts[bucket][at];
+      answer = counts ? replies[bucket][at] : std::max(replies[bucket][at], 0);
+    }
+  }
 }
 
 } // namespace
@@ -118,19 +142,18 @@ std::vector<int> numberPoints(Communicator& communicator, const SurfacePiece& pi
   offers = exchanged(communicator, std::move(offers));
   DistinctPoints points = distinctPoints(offers, piece.weld, buckets);
   const RankLists<int> replies = numbersOf(communicator, points.firsts, offsets);
-  for (std::vector<int>& list : points.ofOffer)
-  {
-    for (int& value : list)
-    {
-      value = replies[points.placeOf[value].first][points.placeOf[value].second];
-    }
-  }
+  answerOffers(offers, replies, points);
   const RankLists<int> answers = exchanged(communicator, std::move(points.ofOffer));
   std::vector<int> numbers(asked.size());
   std::vector<std::size_t> next(answers.size(), 0);
   for (std::size_t i = 0; i < asked.size(); ++i)
   {
     numbers[i] = answers[asked[i]][next[asked[i]]++];
+    if (numbers[i] == kTwoPositions)
+    {
+      throw Error(ErrorCode::InvalidInput,
+        "point " + std::to_string(piece.pointOrder[i]) + " has two positions");
+    }
   }
   return numbers;
 }

@@ -12,7 +12,8 @@ namespace medial
 /// numbers in the pieces. Every rank calls it.
 /// @param offsets receives the numbers of ranks' first points.
 /// @return the numbers of the piece's points.
-/// @throws Error InvalidInput if a point has two positions, or there are too many.
+/// @throws Error InvalidInput if a number that counts has two positions, on ranks whose pieces have
+///   it, or if there are too many points.
 std::vector<int> numberPoints(Communicator& communicator, const SurfacePiece& piece,
   RankOffsets& offsets);
 

@@ -1,3 +1,4 @@
+#include "lib/ranks/message_of_ranks.h"
 #include "lib/ranks/pieces.h"
 #include "lib/ranks/simulated_ranks.h"
 #include "support/shapes.h"
@@ -113,6 +114,45 @@ TEST(SurfaceFigures, NeedTrianglesAlone)
         }
         EXPECT_THROW(measureSurface(communicator, piece), Error);
       });
+  }
+}
+
+TEST(SurfaceFigures, NameARankWithAPointThatHasTwoPositions)
+{
+  // Two triangles that share a point, whose number the last ranks have at different positions.
+  const TriangleMesh mesh = triangles({ { 0, 1, 2 }, { 2, 3, 4 } }, 5);
+  constexpr int kRanks = 5;
+  const auto message = [&](std::int64_t first, bool weld, bool elsewhere)
+  {
+    return messageOfRanks(kRanks,
+      [&](Communicator& communicator)
+      {
+        const int rank = communicator.rank();
+        SurfacePiece piece =
+          pieceOf(mesh, rank, [](std::size_t triangle) { return static_cast<int>(triangle) + 3; });
+        piece.weld = weld;
+        for (std::size_t i = 0; i < piece.pointOrder.size(); ++i)
+        {
+          piece.mesh.points[i][0] += rank == 4 && piece.pointOrder[i] == 2 ? 0.5 : 0.0;
+          piece.pointOrder[i] += first;
+        }
+        if (rank == 1 && elsewhere)
+        {
+          // The position of the number, under a higher one: that is allowed.
+          piece.mesh = triangles({ { 2, 1, 0 } }, 3);
+          piece.mesh.triangleCells = { 2 };
+          piece.pointOrder = { first + 10, first + 11, first + 12 };
+        }
+        measureSurface(communicator, piece);
+      });
+  };
+  for (std::int64_t first = 0; first < 40; ++first) // so that any rank collects the point
+  {
+    const std::string expected =
+      "rank 3: point " + std::to_string(first + 2) + " has two positions";
+    EXPECT_EQ(message(first, true, false), expected);
+    EXPECT_EQ(message(first, false, false), expected);
+    EXPECT_EQ(message(first, true, true), expected);
   }
 }
 
