@@ -48,15 +48,23 @@ std::vector<T> largeVector(std::size_t count, const T& value = T())
 
 /// Memory of zeros that nobody has touched: each page is cleared for the thread that first uses it,
 /// and what is never used takes no memory.
-template <typename T>
+/// @tparam Huge whether pages are huge.
+template <typename T, bool Huge = true>
 struct ZeroAllocator
 {
   static_assert(std::is_arithmetic_v<T>, "bits of zeros are the value 0");
-  using value_type = T; // NOLINT(readability-identifier-naming): as the standard has it
+  // NOLINTBEGIN(readability-identifier-naming): as the standard has it
+  using value_type = T;
+  template <typename Other>
+  struct rebind
+  {
+    using other = ZeroAllocator<Other, Huge>;
+  };
+  // NOLINTEND(readability-identifier-naming)
 
   ZeroAllocator() = default;
   template <typename Other>
-  ZeroAllocator(const ZeroAllocator<Other>& /*other*/) noexcept
+  ZeroAllocator(const ZeroAllocator<Other, Huge>& /*other*/) noexcept
   {
   }
 
@@ -69,7 +77,10 @@ struct ZeroAllocator
     {
       throw std::bad_alloc();
     }
-    adviseHugePages(memory, count * sizeof(T));
+    if constexpr (Huge)
+    {
+      adviseHugePages(memory, count * sizeof(T));
+    }
     return static_cast<T*>(memory);
   }
 
@@ -92,5 +103,9 @@ struct ZeroAllocator
 /// was there before.
 template <typename T>
 using ZeroedVector = std::vector<T, ZeroAllocator<T>>;
+
+/// The same for few elements here and there, in pages that are not huge.
+template <typename T>
+using SparseVector = std::vector<T, ZeroAllocator<T, false>>;
 
 } // namespace medial

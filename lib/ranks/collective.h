@@ -167,10 +167,12 @@ std::vector<T> delivered(Communicator& communicator, const std::vector<T>& items
 }
 
 /// Returns answers to questions, in their order, from the ranks that homeOf(question) names.
-/// @param answer returns there the answer to a question.
-template <typename Question, typename HomeOf, typename AnswerTo>
+/// @param prepare is called there with the questions, by rank, before they are answered; ranks may
+///   do something together in it.
+/// @param answerTo returns there the answer to a question.
+template <typename Question, typename HomeOf, typename Prepare, typename AnswerTo>
 auto answered(Communicator& communicator, const std::vector<Question>& questions,
-  const HomeOf& homeOf, const AnswerTo& answerTo)
+  const HomeOf& homeOf, const Prepare& prepare, const AnswerTo& answerTo)
 {
   using Answer = decltype(answerTo(questions.front()));
   RankLists<Question> lists = listsFor<Question>(communicator);
@@ -179,6 +181,7 @@ auto answered(Communicator& communicator, const std::vector<Question>& questions
     lists[homeOf(question)].push_back(question);
   }
   lists = exchanged(communicator, std::move(lists));
+  prepare(lists);
   RankLists<Answer> answers = listsFor<Answer>(communicator);
   for (std::size_t rank = 0; rank < lists.size(); ++rank)
   {
@@ -194,6 +197,14 @@ auto answered(Communicator& communicator, const std::vector<Question>& questions
     result.push_back(answers[home][next[home]++]);
   }
   return result;
+}
+
+template <typename Question, typename HomeOf, typename AnswerTo>
+auto answered(Communicator& communicator, const std::vector<Question>& questions,
+  const HomeOf& homeOf, const AnswerTo& answerTo)
+{
+  return answered(
+    communicator, questions, homeOf, [](const RankLists<Question>& /*asked*/) {}, answerTo);
 }
 
 template <typename T>

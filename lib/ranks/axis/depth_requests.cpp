@@ -23,10 +23,9 @@ glm::ivec3 sizeOf(const Extent& extent)
 } // namespace
 
 DepthRequests::DepthRequests(Communicator& communicator, const GridShare& share,
-  const std::vector<Extent>& extents, const DepthField& depth, const Extent& part)
+  const DepthField& depth, const Extent& part)
   : communicator_(communicator)
   , share_(share)
-  , extents_(extents)
   , depth_(depth)
   , part_(part)
   , size_(sizeOf(share.whole()))
@@ -80,10 +79,11 @@ bool DepthRequests::answer(const std::vector<std::size_t>& blocks)
   {
     for (std::size_t rank = 0; rank < lists.size(); ++rank)
     {
+      const Extent& extent = share_.of(static_cast<int>(rank));
       for (const std::size_t block : blocks)
       {
         bool has = false;
-        this->visitPoints(block, extents_[rank], extents_[rank],
+        this->visitPoints(block, extent, extent,
           [&](std::size_t /*i*/, std::size_t /*there*/) { has = true; });
         if (has)
         {
@@ -118,10 +118,11 @@ bool DepthRequests::answer(const std::vector<std::size_t>& blocks)
   std::unordered_map<std::int64_t, Depths> received;
   for (std::size_t rank = 0; rank < asked.size(); ++rank)
   {
+    const Extent& extent = share_.of(static_cast<int>(rank));
     for (std::size_t k = 0; k < asked[rank].size(); ++k)
     {
       Depths& depths = received[asked[rank][k]];
-      this->visitPoints(static_cast<std::size_t>(asked[rank][k]), extents_[rank], extents_[rank],
+      this->visitPoints(static_cast<std::size_t>(asked[rank][k]), extent, extent,
         [&](std::size_t i, std::size_t /*there*/) { depths[i] = answers[rank][k][i]; });
     }
   }

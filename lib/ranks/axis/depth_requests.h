@@ -18,11 +18,10 @@ namespace medial
 class DepthRequests
 {
 public:
-  /// @param extents of all ranks in the share.
   /// @param depth in a part of the grid that has all points of this rank's.
   /// @param part that one.
-  DepthRequests(Communicator& communicator, const GridShare& share,
-    const std::vector<Extent>& extents, const DepthField& depth, const Extent& part);
+  DepthRequests(Communicator& communicator, const GridShare& share, const DepthField& depth,
+    const Extent& part);
 
   /// Does work on the first rank, while the others answer. Every rank calls it.
   /// @param work work(voxels), on this thread.
@@ -48,7 +47,6 @@ private:
 
   Communicator& communicator_;
   const GridShare& share_;
-  const std::vector<Extent>& extents_;
   const DepthField& depth_;
   Extent part_;
   glm::ivec3 size_;

@@ -106,9 +106,9 @@ public:
     crossings = share_->toOwners(communicator_, crossings,
       [](const SharedCrossing& item) { return item.crossing.voxel; });
     BisectorPoints points;
-    AxisPiece result = preserve
-      ? this->preserved(crossings, std::move(values), extents, halo, points)
-      : this->selected(crossings, halo, points);
+    AxisPiece result = preserve ? this->preserved(crossings, RankPart(fieldShare, field_, run_),
+                                    std::move(values), halo, points)
+                                : this->selected(crossings, halo, points);
     setAxisPoints(points, frame_, result.axis);
     result.axis.sign = field_.sharedSign().report().method;
     result.axis.side = side;
@@ -274,19 +274,14 @@ private:
   }
 
   /// The same with the topology of the solid.
-  /// @param values the field where this rank has computed it.
-  /// @param extents of all ranks in the share.
-  AxisPiece preserved(const std::vector<SharedCrossing>& crossings, FieldPart values,
-    const std::vector<Extent>& extents, int halo, BisectorPoints& points)
+  /// @param fieldPart where this rank has computed the field.
+  /// @param values there.
+  AxisPiece preserved(const std::vector<SharedCrossing>& crossings, const RankPart& fieldPart,
+    FieldPart values, int halo, BisectorPoints& points)
   {
     const Side side = sideOf(options_.side, this->hasSign());
-    std::vector<Extent> wanted;
-    for (const Extent& extent : extents)
-    {
-      wanted.push_back(grown(extent, 1, grid_.wholeExtent()));
-    }
-    values = exchangedPart(communicator_, std::move(values), wanted, side);
-    PreservedPieces pieces({ communicator_, *part_, grid_, options_, side, values }, extents);
+    PreservedPieces pieces({ communicator_, *part_, grid_, options_, side }, fieldPart,
+      std::move(values));
     const Checkpoint checkpoint(run_, kSelectedShare, "medial axis");
     const auto tryHalo = [&]
     {

@@ -3,7 +3,6 @@
 #include "medial/compute_medial_axis.h"
 #include "medial/ranks.h"
 #include "ranks/axis/rank_part.h"
-#include "ranks/field/field_part.h"
 
 namespace medial
 {
@@ -15,8 +14,7 @@ struct PreservationInput
   const RankPart& part;
   const Grid& grid;
   const MedialAxisOptions& options;
-  Side side;         ///< Both without a sign
-  FieldPart& values; ///< in the rank's part of the axis and a layer around
+  Side side; ///< Both without a sign
 };
 
 } // namespace medial

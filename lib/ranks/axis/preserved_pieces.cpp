@@ -3,6 +3,7 @@
 #include "axis/sheets/border_rims.h"
 #include "axis/sheets/crease_rims.h"
 #include "base/extents.h"
+#include "ranks/axis/asked_field.h"
 #include "ranks/axis/corner_cells.h"
 #include "ranks/axis/curve_pieces.h"
 #include "ranks/axis/sites_here.h"
@@ -11,6 +12,7 @@
 #include "thinning/rim_finish.h"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <utility>
 
@@ -22,21 +24,6 @@ namespace
 /// How far around its part a rank knows the axis without moving rims, grid cells: what is around
 /// the points that its cells use.
 constexpr int kAround = 3;
-
-/// Returns the sites with some numbers; the first one for those that are not here, of points that
-/// the side does not need.
-std::vector<std::int32_t> sitesHere(const SitesHere& sites,
-  const std::vector<std::int32_t>& numbers)
-{
-  std::vector<std::int32_t> result(numbers.size());
-  for (std::size_t i = 0; i < numbers.size(); ++i)
-  {
-    // Most neighbours have the same.
-    result[i] =
-      i > 0 && numbers[i] == numbers[i - 1] ? result[i - 1] : std::max(0, sites.find(numbers[i]));
-  }
-  return result;
-}
 
 void replaceSites(BisectorPoint& point, const std::vector<std::int32_t>& numbers)
 {
@@ -84,10 +71,10 @@ struct PreservedPieces::Part
   const AxisGeometry* geometry; ///< null without a part
   int halo;
   const Checkpoint& checkpoint;
-  std::vector<Crossing> crossings;   ///< those that are selected
-  std::vector<std::int32_t> numbers; ///< of the sites here
-  SitesHere sites;
-  std::vector<std::int32_t> closestSites; ///< here, at the points of the field
+  std::vector<Crossing> crossings;          ///< those that are selected
+  const std::vector<std::int32_t>& numbers; ///< of the sites here
+  const SitesHere& sites;
+  AskedField& field; ///< in the part and a layer around
   std::optional<SheetSelection> selection;
 };
 
@@ -100,64 +87,69 @@ struct PreservedPieces::CornerRecord
   std::uint8_t onSheet; ///< not 0 if the selection's samples have a vertex there
 };
 
-PreservedPieces::PreservedPieces(const PreservationInput& input, const std::vector<Extent>& extents)
+PreservedPieces::PreservedPieces(const PreservationInput& input, const RankPart& fieldPart,
+  FieldPart values)
   : input_(input)
   , corners_(input.grid)
   , order_(input.grid)
-  , thinning_(input, extents)
+  , thinning_(input)
+  , field_(std::in_place, input.communicator, fieldPart, input.grid, std::move(values), input.side)
 {
-  if (input_.part.field().hasSign() && input.side != Side::Exterior)
-  {
-    bodies_.emplace(input.communicator, input.part.field());
-  }
 }
 
 bool PreservedPieces::tryHalo(const AxisGeometry* geometry, std::vector<Crossing> crossings,
   int halo, const Checkpoint& checkpoint)
 {
   const std::vector<std::int32_t> numbers = input_.part.field().siteNumbers();
-  Part part{ geometry, halo, checkpoint, std::move(crossings), numbers, SitesHere(numbers), {},
-    {} };
-  part.closestSites = sitesHere(part.sites, input_.values.sites);
+  const SitesHere sites(numbers);
+  AskedField field(*field_, sites, input_.part.share().withHalo(1));
+  Part part{ geometry, halo, checkpoint, std::move(crossings), numbers, sites, field, {} };
   input_.part.locally([&] { part.selection.emplace(selectSheets(*geometry, part.crossings)); });
   thinning_.select(part.crossings, part.selection ? &*part.selection : nullptr);
+  input_.part.locally(
+    [&]
+    {
+      for (const Crossing& crossing : part.crossings)
+      {
+        field.take(*geometry, crossing);
+      }
+    });
+  field.bring();
+  const std::vector<int> siteColours = field_->siteColours();
+  const double unit = input_.part.field().frame().unit;
   solids_.clear();
   for (const Side side : sidesOf(input_.part.field().hasSign(), input_.side))
   {
-    DepthField depth(input_.values.distances.data(), side, input_.part.field().frame().unit);
-    int colours = 1;
-    std::vector<int> siteColours;
-    if (side == Side::Interior)
-    {
-      siteColours = bodies_->siteColours(input_.communicator, input_.values.extent, corners_.size(),
-        part.closestSites.data(), depth, colours);
-    }
+    const int colours = field_->colours(side);
     for (int colour = 0; colour < colours; ++colour)
     {
+      DepthField depth(field.distances(), side, unit);
       if (colours > 1)
       {
-        depth.restrict(part.closestSites.data(), siteColours.data(), colour);
+        depth.restrict(field.closestSites(), siteColours.data(), colour);
       }
-      if (!this->addSolid(part, depth, side))
+      if (!this->addSolid(part, { geometry, field, depth, *field_, field_->depth(side, colour) },
+            side))
       {
         return false;
       }
     }
   }
   thinning_.finish();
+  field_.reset();
   return true;
 }
 
 /// Thins a solid, and makes its points in the part and around.
 /// @return false on every rank if the halo is too narrow.
-bool PreservedPieces::addSolid(const Part& part, const DepthField& depth, Side side)
+bool PreservedPieces::addSolid(const Part& part, const ThinningPart& known, Side side)
 {
   const int halo = this->wantsSurface() ? part.halo : kAround;
   SolidPiece solid;
   solid.side = side;
-  const std::vector<CornerCells> cells = this->sendCells(
-    thinning_.thin({ part.geometry, part.closestSites, depth }, part.checkpoint), halo);
-  const bool complete = this->setPoints(part, depth, cells, solid);
+  const std::vector<CornerCells> cells =
+    this->sendCells(thinning_.thin(known, part.checkpoint), halo);
+  const bool complete = this->setPoints(part, known.depth, cells, solid);
   if (this->wantsSurface())
   {
     const std::vector<BisectorPoint> before = solid.axis.points.points;
@@ -184,15 +176,24 @@ std::vector<CornerCells> PreservedPieces::sendCells(const std::vector<CornerCell
     });
 }
 
-/// Places the points of this rank.
-std::vector<PreservedPieces::CornerRecord> PreservedPieces::placed(const Part& part,
+/// The corners of this rank that the fire leaves, and what is around them.
+struct PreservedPieces::Corners
+{
+  CubicalComplex complex;
+  std::vector<CubeCell> vertices;
+  std::vector<std::size_t> within; ///< which of the part's crossings are in the solid
+  AxisSamples samples;             ///< of these
+};
+
+/// Finds the corners of this rank, and asks for the field around those that are on no sheet.
+std::optional<PreservedPieces::Corners> PreservedPieces::cornersOf(const Part& part,
   const DepthField& depth, const std::vector<CornerCells>& cells) const
 {
-  std::vector<CornerRecord> own;
+  std::optional<Corners> corners;
   input_.part.locally(
     [&]
     {
-      CubicalComplex complex(input_.values.extent, corners_.size());
+      CubicalComplex complex(part.field.extent(), corners_.size());
       std::vector<CubeCell> vertices;
       for (const CornerCells left : cells)
       {
@@ -208,14 +209,43 @@ std::vector<PreservedPieces::CornerRecord> PreservedPieces::placed(const Part& p
         }
       }
       const SheetSelection& selection = *part.selection;
-      const std::vector<std::size_t> within =
-        crossingsWithin(depth, input_.values.extent, corners_.size(), part.crossings);
+      std::vector<std::size_t> within =
+        crossingsWithin(depth, part.field.extent(), corners_.size(), part.crossings);
       SelectedCrossings selected =
         someOf(within, part.crossings, selection.bisectors, exactPairs(selection));
       AxisSamples samples(complex, selected.crossings, std::move(selected.bisectors));
-      const ThinnedAxis placed =
-        pointsOfCorners(complex, vertices, depth, { *part.geometry, part.closestSites.data() },
-          { selection, within }, input_.options.representation, samples);
+      for (const CubeCell vertex : vertices)
+      {
+        const std::array<CubeCell, 12> faces = facesAround(complex, vertex);
+        const bool onSheet = std::any_of(faces.begin(), faces.end(),
+          [&](CubeCell face)
+          { return complex.has(face) && samples.find(face) != AxisSamples::kNone; });
+        for (int corner = 0; corner < 8 && !onSheet; ++corner)
+        {
+          part.field.wantBits(
+            complex.position(vertex) - glm::ivec3(corner & 1, corner >> 1 & 1, corner >> 2));
+        }
+      }
+      corners.emplace(
+        Corners{ std::move(complex), std::move(vertices), std::move(within), std::move(samples) });
+    });
+  return corners;
+}
+
+/// Places the points of this rank.
+std::vector<PreservedPieces::CornerRecord> PreservedPieces::placed(const Part& part,
+  const DepthField& depth, const std::vector<CornerCells>& cells) const
+{
+  std::optional<Corners> corners = this->cornersOf(part, depth, cells);
+  part.field.bring();
+  std::vector<CornerRecord> own;
+  input_.part.locally(
+    [&]
+    {
+      const std::vector<CubeCell>& vertices = corners->vertices;
+      const ThinnedAxis placed = pointsOfCorners(corners->complex, vertices, depth,
+        { *part.geometry, part.field.closestSites() }, { *part.selection, corners->within },
+        input_.options.representation, corners->samples);
       for (std::size_t i = 0; i < vertices.size(); ++i)
       {
         own.push_back({ corners_.of(placed.gridCells[i] + 1, solids_.size()),

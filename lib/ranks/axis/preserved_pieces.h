@@ -5,9 +5,10 @@
 #include "medial/ranks.h"
 #include "ranks/axis/axis_patch.h"
 #include "ranks/axis/corner_numbers.h"
-#include "ranks/axis/shared_bodies.h"
+#include "ranks/axis/kept_field.h"
 #include "ranks/axis/shared_thinning.h"
 #include "ranks/axis/solid_piece.h"
+#include "ranks/field/field_part.h"
 #include "ranks/field/grid_share.h"
 #include "thinning/voxel_solid.h"
 
@@ -25,8 +26,10 @@ class PreservedPieces
 {
 public:
   /// Every rank calls it, and each of the following.
-  /// @param extents of all ranks in the share.
-  PreservedPieces(const PreservationInput& input, const std::vector<Extent>& extents);
+  /// @param fieldPart where this rank has computed the field, with what can be closest there; must
+  ///   outlive this.
+  /// @param values there.
+  PreservedPieces(const PreservationInput& input, const RankPart& fieldPart, FieldPart values);
 
   /// Makes the points of all solids.
   /// @param geometry of the part and a halo; null for a rank without a part.
@@ -47,11 +50,14 @@ private:
   /// What ranks know of the part for thinning.
   struct Part;
   struct CornerRecord;
+  struct Corners;
 
   bool wantsSurface() const { return input_.options.representation == Representation::Surface; }
 
-  bool addSolid(const Part& part, const DepthField& depth, Side side);
+  bool addSolid(const Part& part, const ThinningPart& known, Side side);
   std::vector<CornerCells> sendCells(const std::vector<CornerCells>& cells, int halo) const;
+  std::optional<Corners> cornersOf(const Part& part, const DepthField& depth,
+    const std::vector<CornerCells>& cells) const;
   std::vector<CornerRecord> placed(const Part& part, const DepthField& depth,
     const std::vector<CornerCells>& cells) const;
   bool setPoints(const Part& part, const DepthField& depth, const std::vector<CornerCells>& cells,
@@ -64,7 +70,7 @@ private:
   CornerNumbers corners_;
   AxisOrder order_;
   SharedThinning thinning_;
-  std::optional<SharedBodies> bodies_; ///< where the inside is thinned
+  std::optional<KeptField> field_; ///< until the points of all solids are made
   std::vector<SolidPiece> solids_;
 };
 

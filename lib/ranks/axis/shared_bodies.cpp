@@ -88,47 +88,42 @@ std::vector<std::int8_t> SharedBodies::directionsOf(Communicator& communicator,
     static_cast<std::int8_t>(field_.surface().signedVolume() < 0.0 ? -1 : 1));
 }
 
-std::vector<int> SharedBodies::partsOf(Communicator& communicator,
-  const std::vector<int>& points) const
+std::vector<int> SharedBodies::partsOfSites(Communicator& communicator) const
 {
-  return answered(
-    communicator, points, [&](int point) { return field_.surface().homeOfPoint(point); },
+  const std::vector<int> parts = answered(
+    communicator, field_.part().points(),
+    [&](int point) { return field_.surface().homeOfPoint(point); },
     [&](int point)
     {
       return std::lower_bound(labels_.begin(), labels_.end(), point,
         [](const PartLabel& label, int number) { return label.point < number; })
         ->part;
     });
-}
-
-std::vector<int> SharedBodies::siteColours(Communicator& communicator, const Extent& part,
-  const glm::ivec3& grid, const std::int32_t* closestSites, const DepthField& depth,
-  int& colours) const
-{
-  colours = 1;
-  if (this->parts() < 2)
+  if (parts.empty())
   {
     return {};
   }
-  const std::vector<int> partOfPoint = this->partsOf(communicator, field_.part().points());
+  const SiteSet& sites = field_.sites();
+  std::vector<int> ofSites;
+  std::transform(sites.faces().begin(), sites.faces().end(), std::back_inserter(ofSites),
+    [&](const glm::ivec3& face) { return parts[face.x]; });
+  std::transform(sites.edges().begin(), sites.edges().end(), std::back_inserter(ofSites),
+    [&](const glm::ivec2& edge) { return parts[edge.x]; });
+  ofSites.insert(ofSites.end(), parts.begin(), parts.end());
+  return ofSites;
+}
+
+void SharedBodies::findColours(Communicator& communicator, const Extent& part,
+  const glm::ivec3& grid, const std::int32_t* closestSites, const DepthField& depth)
+{
+  const SurfaceParts parts{ this->partsOfSites(communicator), areBodies_ };
   const std::vector<std::int8_t> directions =
     this->directionsOf(communicator, field_.part().faces());
-  SurfaceParts parts{ {}, areBodies_ };
   PartPairs own;
   if (!part.empty())
   {
-    const SiteSet& sites = field_.sites();
-    for (const glm::ivec3& face : sites.faces())
-    {
-      parts.ofSite.push_back(partOfPoint[face.x]);
-    }
-    for (const glm::ivec2& edge : sites.edges())
-    {
-      parts.ofSite.push_back(partOfPoint[edge.x]);
-    }
-    parts.ofSite.insert(parts.ofSite.end(), partOfPoint.begin(), partOfPoint.end());
-    own =
-      pairsOfParts({ sites, directions, field_.frame(), part, grid, closestSites, depth }, parts);
+    own = pairsOfParts(
+      { field_.sites(), directions, field_.frame(), part, grid, closestSites, depth }, parts);
   }
   const auto all = [&](const std::set<PartPairs::Pair>& pairs)
   {
@@ -147,12 +142,16 @@ std::vector<int> SharedBodies::siteColours(Communicator& communicator, const Ext
   PartPairs pairs;
   pairs.joined = all(own.joined);
   pairs.apart = all(own.apart);
-  const std::vector<int> ofParts = coloursOfParts(this->parts(), pairs);
-  colours = 1 + *std::max_element(ofParts.begin(), ofParts.end());
-  std::vector<int> siteColours;
-  std::transform(parts.ofSite.begin(), parts.ofSite.end(), std::back_inserter(siteColours),
-    [&](int of) { return ofParts[of]; });
-  return siteColours;
+  coloursOfParts_ = coloursOfParts(this->parts(), pairs);
+  colours_ = 1 + *std::max_element(coloursOfParts_.begin(), coloursOfParts_.end());
+}
+
+std::vector<int> SharedBodies::siteColours(Communicator& communicator) const
+{
+  std::vector<int> colours = this->partsOfSites(communicator);
+  std::transform(colours.begin(), colours.end(), colours.begin(),
+    [&](int part) { return coloursOfParts_[part]; });
+  return colours;
 }
 
 } // namespace medial

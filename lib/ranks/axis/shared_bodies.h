@@ -23,26 +23,29 @@ public:
 
   int parts() const { return static_cast<int>(areBodies_.size()); }
 
-  /// Returns the colours of all sites that are here, as SolidBodies::siteColours(). Every rank
-  /// calls it.
-  /// @param part of the grid, where the closest sites are known; may be empty.
+  /// Gives bodies their colours, as SolidBodies. Every rank calls it.
+  /// @param part of the grid, where the closest sites are known and here; may be empty. The parts
+  ///   of all ranks have all grid cells.
   /// @param grid size of the whole.
-  /// @param colours set to their number.
-  std::vector<int> siteColours(Communicator& communicator, const Extent& part,
-    const glm::ivec3& grid, const std::int32_t* closestSites, const DepthField& depth,
-    int& colours) const;
+  void findColours(Communicator& communicator, const Extent& part, const glm::ivec3& grid,
+    const std::int32_t* closestSites, const DepthField& depth);
+  int colours() const { return colours_; }
+  /// Returns the colours of all sites that are here. Every rank calls it.
+  std::vector<int> siteColours(Communicator& communicator) const;
 
 private:
   void measure(Communicator& communicator, const std::vector<PartLabel>& labels);
   std::vector<std::int8_t> directionsOf(Communicator& communicator,
     const std::vector<int>& faces) const;
-  /// Returns the parts of points on any ranks. Every rank calls it.
-  std::vector<int> partsOf(Communicator& communicator, const std::vector<int>& points) const;
+  /// Returns the parts of all sites that are here. Every rank calls it.
+  std::vector<int> partsOfSites(Communicator& communicator) const;
 
   const RankField& field_;
   std::vector<std::uint8_t> areBodies_;
   /// Of the points that fall to this rank, ascending, with the numbers of their parts.
   std::vector<PartLabel> labels_;
+  int colours_ = 1;
+  std::vector<int> coloursOfParts_; ///< once they are known
 };
 
 } // namespace medial

@@ -12,6 +12,7 @@
 #include "thinning/undecided_voxels.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -89,9 +90,8 @@ void loadAround(const CubicalComplex& complex, SparseVoxels& voxels)
 
 } // namespace
 
-SharedThinning::SharedThinning(const PreservationInput& input, const std::vector<Extent>& extents)
+SharedThinning::SharedThinning(const PreservationInput& input)
   : input_(input)
-  , extents_(extents)
   , corners_(input.grid)
 {
 }
@@ -140,7 +140,7 @@ void SharedThinning::select(const std::vector<Crossing>& crossings, const SheetS
 }
 
 /// Returns the selected crossings that lie in a solid, on the first rank.
-SelectedCrossings SharedThinning::selectedWithin(const DepthField& depth) const
+SelectedCrossings SharedThinning::selectedWithin(const ThinningPart& part) const
 {
   const AxisOrder order(input_.grid);
   std::vector<std::int64_t> own;
@@ -148,7 +148,7 @@ SelectedCrossings SharedThinning::selectedWithin(const DepthField& depth) const
     [&]
     {
       for (const std::size_t i :
-        crossingsWithin(depth, input_.values.extent, corners_.size(), own_))
+        crossingsWithin(part.depth, part.field.extent(), corners_.size(), own_))
       {
         own.push_back(order.ofCrossing(own_[i]));
       }
@@ -167,18 +167,17 @@ SelectedCrossings SharedThinning::selectedWithin(const DepthField& depth) const
 }
 
 /// Returns the undecided voxels of the whole solid on the first rank.
-/// @param here the solid in this rank's part and a layer around.
+/// @param part where ranks find them.
+/// @param here the solid there and in a layer around.
 /// @param thinning that has the sheets; null but on the first rank.
-std::vector<std::size_t> SharedThinning::undecided(const SolidVoxels& here,
+std::vector<std::size_t> SharedThinning::undecided(const RankPart& part, const SolidVoxels& here,
   const SolidThinning* thinning, const Checkpoint& checkpoint) const
 {
   const std::vector<CornerCells> cells = sentCells(input_.communicator, corners_,
     thinning != nullptr ? cornersOf(thinning->complex()) : std::vector<CornerCells>(),
-    [&](int rank) {
-      return grownUpwards(extents_[static_cast<std::size_t>(rank)], 1, input_.part.share().whole());
-    });
+    [&](int rank) { return grownUpwards(part.share().of(rank), 1, part.share().whole()); });
   std::vector<std::int64_t> own;
-  input_.part.locally(
+  part.locally(
     [&]
     {
       CubicalComplex sheets(here.part(), corners_.size());
@@ -197,15 +196,16 @@ std::vector<std::size_t> SharedThinning::undecided(const SolidVoxels& here,
 std::vector<CornerCells> SharedThinning::thin(const ThinningPart& part,
   const Checkpoint& checkpoint)
 {
-  const SolidVoxels here(part.depth, input_.values.extent, corners_.size());
-  SelectedCrossings selected = this->selectedWithin(part.depth);
-  add(topologyOf(input_.communicator, input_.part, here), topology_);
+  const RankPart& fieldPart = part.keptField.part();
+  const SolidVoxels here(part.keptDepth, part.keptField.extent(), corners_.size());
+  SelectedCrossings selected = this->selectedWithin(part);
+  add(topologyOf(input_.communicator, fieldPart, here), topology_);
   std::optional<SolidThinning> thinning;
   this->atFirst([&] { thinning.emplace(corners_.size(), std::move(selected), checkpoint); });
   const std::vector<std::size_t> undecided =
-    this->undecided(here, thinning ? &*thinning : nullptr, checkpoint);
-  DepthRequests depths(input_.communicator, input_.part.share(), extents_, part.depth,
-    input_.values.extent);
+    this->undecided(fieldPart, here, thinning ? &*thinning : nullptr, checkpoint);
+  DepthRequests depths(input_.communicator, fieldPart.share(), part.keptDepth,
+    part.keptField.extent());
   std::vector<std::int64_t> edges;
   const auto findCore = [&](SparseVoxels& voxels)
   {
@@ -236,24 +236,39 @@ std::vector<CornerCells> SharedThinning::thin(const ThinningPart& part,
 std::vector<std::uint8_t> SharedThinning::separating(const ThinningPart& part,
   const std::vector<std::int64_t>& edges) const
 {
+  const auto voxelsAround = [&](std::int64_t edge)
+  {
+    const glm::ivec3 last = corners_.position(edge / 3);
+    const auto axis = static_cast<int>(edge % 3);
+    glm::ivec3 u(0);
+    glm::ivec3 v(0);
+    u[(axis + 1) % 3] = 1;
+    v[(axis + 2) % 3] = 1;
+    return std::array<glm::ivec3, 4>{ last - u - v, last - v, last - u, last };
+  };
   std::optional<CubicalComplex> here;
   std::optional<CurveProbe> probe;
   if (part.geometry != nullptr)
   {
-    here.emplace(input_.values.extent, corners_.size());
-    probe.emplace(part.geometry->sites, part.geometry->frame, part.closestSites.data(), part.depth,
+    here.emplace(part.field.extent(), corners_.size());
+    probe.emplace(part.geometry->sites, part.geometry->frame, part.field.closestSites(), part.depth,
       part.geometry->limits.angle);
   }
   return answered(
     input_.communicator, edges,
-    [&](std::int64_t edge)
+    [&](std::int64_t edge) { return input_.part.share().ownerOf(voxelsAround(edge).front()); },
+    [&](const RankLists<std::int64_t>& asked)
     {
-      // Where the lowest of the voxels around is.
-      glm::ivec3 voxel = corners_.position(edge / 3);
-      const auto axis = static_cast<int>(edge % 3);
-      --voxel[(axis + 1) % 3];
-      --voxel[(axis + 2) % 3];
-      return input_.part.share().ownerOf(voxel);
+      for (const std::vector<std::int64_t>& list : asked)
+      {
+        for (const std::int64_t edge : list)
+        {
+          const std::array<glm::ivec3, 4> voxels = voxelsAround(edge);
+          std::for_each(voxels.begin(), voxels.end(),
+            [&](const glm::ivec3& voxel) { part.field.want(voxel); });
+        }
+      }
+      part.field.bring();
     },
     [&](std::int64_t edge) -> std::uint8_t
     {

@@ -4,7 +4,9 @@
 #include "axis/sheets/sheet_selection.h"
 #include "base/checkpoint.h"
 #include "medial/cell_topology.h"
+#include "ranks/axis/asked_field.h"
 #include "ranks/axis/corner_numbers.h"
+#include "ranks/axis/kept_field.h"
 #include "ranks/axis/preservation_input.h"
 #include "thinning/solid_thinning.h"
 #include "thinning/voxel_solid.h"
@@ -16,12 +18,14 @@
 namespace medial
 {
 
-/// What a rank knows of its part for thinning.
+/// A solid as a rank knows it.
 struct ThinningPart
 {
-  const AxisGeometry* geometry;                  ///< null without a part
-  const std::vector<std::int32_t>& closestSites; ///< here, at the points of the field
-  const DepthField& depth;                       ///< of the side, or of a colour
+  const AxisGeometry* geometry; ///< in its part of the axis; null without one
+  AskedField& field;            ///< there
+  DepthField depth;             ///< in that
+  const KeptField& keptField;   ///< where the rank has computed it
+  DepthField keptDepth;         ///< in that
 };
 
 /// Thins solids for all ranks. Each finds out what is undecided in its part; the first one burns
@@ -30,8 +34,7 @@ struct ThinningPart
 class SharedThinning
 {
 public:
-  /// @param extents of all ranks in the share.
-  SharedThinning(const PreservationInput& input, const std::vector<Extent>& extents);
+  explicit SharedThinning(const PreservationInput& input);
 
   /// Brings the selected crossings to the first rank.
   /// @param crossings of this rank's part and a halo, which are selected.
@@ -39,6 +42,7 @@ public:
   void select(const std::vector<Crossing>& crossings, const SheetSelection* sheets);
 
   /// Thins a solid.
+  /// @param part with the field at the ends of the crossings.
   /// @return what is left, on the first rank.
   std::vector<CornerCells> thin(const ThinningPart& part, const Checkpoint& checkpoint);
 
@@ -51,14 +55,13 @@ private:
   bool isFirst() const { return input_.communicator.rank() == 0; }
   template <typename Work>
   void atFirst(const Work& work) const;
-  SelectedCrossings selectedWithin(const DepthField& depth) const;
-  std::vector<std::size_t> undecided(const SolidVoxels& here, const SolidThinning* thinning,
-    const Checkpoint& checkpoint) const;
+  SelectedCrossings selectedWithin(const ThinningPart& part) const;
+  std::vector<std::size_t> undecided(const RankPart& part, const SolidVoxels& here,
+    const SolidThinning* thinning, const Checkpoint& checkpoint) const;
   std::vector<std::uint8_t> separating(const ThinningPart& part,
     const std::vector<std::int64_t>& edges) const;
 
   PreservationInput input_;
-  std::vector<Extent> extents_;
   CornerNumbers corners_;
   std::vector<Crossing> own_; ///< those of this rank's part that are selected
   ///@{

@@ -22,9 +22,13 @@ struct PackedField
   std::vector<std::int32_t> sites;
 };
 
-std::vector<float> unknownDistances(const Extent& extent, Side side)
+/// Returns values in the order of an extent that has theirs.
+template <typename T>
+std::vector<T> movedTo(const Extent& outer, std::vector<T> values, const Extent& inner, T others)
 {
-  return largeVector(static_cast<std::size_t>(extent.pointCount()), unknownDistance(side));
+  std::vector<T> result = largeVector(static_cast<std::size_t>(outer.pointCount()), others);
+  visitWithin(inner, outer, [&](std::size_t i, std::size_t at) { result[i] = values[at]; });
+  return result;
 }
 
 bool isOn(Side side, float distance)
@@ -58,9 +62,9 @@ std::vector<std::uint8_t> nearSide(const FieldPart& part, Side side)
   return near;
 }
 
-/// @param wanted for each point of the part not 0 if it goes along.
-PackedField packed(const FieldPart& part, const std::vector<std::uint8_t>& wanted,
-  const Extent& extent, bool withSites)
+/// @param extent of the points that go along where wanted() is true of their indices in the part.
+template <typename Wanted>
+PackedField packed(const FieldPart& part, const Extent& extent, const Wanted& wanted)
 {
   PackedField result;
   if (extent.empty())
@@ -71,14 +75,11 @@ PackedField packed(const FieldPart& part, const std::vector<std::uint8_t>& wante
   visitWithin(extent, part.extent,
     [&](std::size_t i, std::size_t at)
     {
-      if (wanted[i] != 0)
+      if (wanted(i))
       {
         result.has[at / 8] |= static_cast<std::uint8_t>(1u << (at % 8));
         result.distances.push_back(part.distances[i]);
-        if (withSites)
-        {
-          result.sites.push_back(part.sites[i]);
-        }
+        result.sites.push_back(part.sites[i]);
       }
     });
   return result;
@@ -129,8 +130,8 @@ void unpack(const PackedField& field, const Extent& inner, const Extent& outer, 
 
 } // namespace
 
-FieldPart exchangedPart(Communicator& communicator, FieldPart own,
-  const std::vector<Extent>& wanted, Side side)
+FieldPart extendedPart(Communicator& communicator, FieldPart own, const std::vector<Extent>& wanted,
+  Side side)
 {
   const std::vector<Extent> extents = gathered(communicator, own.extent);
   std::vector<PackedField> fields(wanted.size());
@@ -138,17 +139,31 @@ FieldPart exchangedPart(Communicator& communicator, FieldPart own,
     const std::vector<std::uint8_t> near = nearSide(own, side);
     for (std::size_t rank = 0; rank < wanted.size(); ++rank)
     {
-      fields[rank] = packed(own, near, commonPart(own.extent, wanted[rank]), true);
+      // Of what both have, a rank may not know which points beyond the side are next to it.
+      const auto isMissing = [&](std::size_t i)
+      {
+        return near[i] != 0 &&
+          !(isOn(side, own.distances[i]) && hasPoint(extents[rank], pointAt(own.extent, i)));
+      };
+      if (static_cast<int>(rank) != communicator.rank())
+      {
+        fields[rank] = packed(own, commonPart(own.extent, wanted[rank]), isMissing);
+      }
     }
-    own = {};
+    std::transform(own.sites.begin(), own.sites.end(), near.begin(), own.sites.begin(),
+      [](std::int32_t site, std::uint8_t isNear) { return isNear != 0 ? site : 0; });
   }
   fields = exchangedFields(communicator, std::move(fields));
-  // Where ranks have the same point, one may not know that it is next to the side.
   const Extent& extent = wanted[communicator.rank()];
-  FieldPart part{ extent, unknownDistances(extent, side), {} };
-  part.sites.resize(part.distances.size(), 0);
+  FieldPart part{ extent,
+    movedTo(extent, std::move(own.distances), own.extent, unknownDistance(side)), {} };
+  part.sites = movedTo(extent, std::move(own.sites), own.extent, 0);
   for (std::size_t rank = 0; rank < fields.size(); ++rank)
   {
+    if (static_cast<int>(rank) == communicator.rank())
+    {
+      continue;
+    }
     unpack(fields[rank], commonPart(extents[rank], extent), extent,
       [&](std::size_t i, std::size_t value)
       {

@@ -24,6 +24,8 @@ public:
   GridShare(const Grid& grid, std::vector<Extent> extents, int rank);
 
   const Extent& whole() const { return whole_; }
+  /// What a rank has; may be empty.
+  const Extent& of(int rank) const { return extents_[rank]; }
   /// What this rank has; may be empty.
   const Extent& own() const { return extents_[rank_]; }
   bool owns(const glm::ivec3& cell) const { return hasPoint(this->own(), this->nearest(cell)); }

@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -138,6 +139,42 @@ TEST(PreservedAxisOfRanks, BroughtTogetherKeepsTheTopologyOfTheSolid)
   ASSERT_TRUE(gathered.solid);
   EXPECT_EQ(numbersOf(*gathered.solid), numbersOf(*whole.solid));
   EXPECT_EQ(cellsOf(gathered), cellsOf(whole));
+}
+
+TEST(PreservedAxisOfRanks, InOtherPartsThanThoseOfTheFieldIsThatOfOneProcess)
+{
+  // Bodies with colours of their own meet at cuts.
+  const AxisCase of = preserved(caseOf(touchingBodies(), 58));
+  const MedialAxis whole = wholeAxisOf(of);
+  const auto [x, y, z] = of.grid.wholeExtent().max;
+  const std::vector<Extent> extents{ { { 0, 0, 0 }, { x, y, 20 } }, { { 0, 0, 21 }, { x, y, 21 } },
+    {}, { { 0, 0, 22 }, { 17, y, z } }, { { 18, 0, 22 }, { x, y, z } } };
+  const std::vector<Extent> others{ extents[3], extents[2], extents[4], extents[0], extents[1] };
+  expectWhole(whole, axisOfRanks(of, extents, atRandom(5), others));
+  expectWhole(whole, axisOfRanks(of, others, atRandom(5), extents));
+}
+
+TEST(PreservedAxisOfRanks, DoesNotMoveTheVolume)
+{
+  // What it takes to make the axis elsewhere than the field, of a solid that fills half of its
+  // grid.
+  const auto bytesMoved = [](int resolution)
+  {
+    const AxisCase of = preserved(caseOf(numbered(box({ 1.0, 1.0, 1.0 })), resolution));
+    const auto [x, y, z] = of.grid.wholeExtent().max;
+    const std::vector<Extent> extents{ { { 0, 0, 0 }, { x, y, z / 2 } },
+      { { 0, 0, z / 2 + 1 }, { x, y, z } } };
+    const auto bytesWith = [&](const std::vector<Extent>& axisExtents)
+    {
+      std::vector<RankCounts> counts;
+      axisOfRanks(of, extents, atRandom(2), axisExtents, &counts);
+      return static_cast<double>(counts[0].bytesSent + counts[1].bytesSent);
+    };
+    return bytesWith({ extents[1], extents[0] }) - bytesWith(extents);
+  };
+  const double few = bytesMoved(48);
+  ASSERT_GT(few, 0.0);
+  EXPECT_LT(bytesMoved(96) / few, std::pow(2.0, 2.3));
 }
 
 class PreservedAxisOfModels : public testing::TestWithParam<std::string>
