@@ -77,7 +77,7 @@ TEST(HugeHeapDeathTest, TakesNoAddressesWhereTheyAreLimited)
   {
     rlimit limit{};
     getrlimit(RLIMIT_DATA, &limit);
-    limit.rlim_cur = rlim_t{ 1 } << 40;
+    limit.rlim_cur = rlim_t{ 1 } << 62; // AddressSanitizer takes terabytes
     setrlimit(RLIMIT_DATA, &limit);
     app::useHugeHeap();
     std::exit(nextBlockHasAdvice() ? 1 : 0);
