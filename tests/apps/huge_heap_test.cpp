@@ -1,16 +1,14 @@
 #include "huge_heap.h"
 
+#include "support/huge_pages.h"
+
 #include <gtest/gtest.h>
 
-#include <cstdint>
+#include <cstddef>
 #include <cstdlib>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
-#include <string>
-#include <sys/resource.h>
 #include <vector>
+
+#include <sys/resource.h>
 
 namespace medial::test
 {
@@ -19,43 +17,20 @@ namespace
 
 constexpr std::size_t kBytes = 20 << 20;
 
-/// Whether the system has been asked for huge pages at an address.
-bool hasAdvice(const void* address)
-{
-  const auto wanted = reinterpret_cast<std::uintptr_t>(address);
-  std::ifstream file("/proc/self/smaps");
-  bool here = false;
-  for (std::string line; std::getline(file, line);)
-  {
-    std::uintptr_t begin = 0;
-    std::uintptr_t end = 0;
-    char dash = 0;
-    std::istringstream text(line);
-    if (text >> std::hex >> begin >> dash >> end && dash == '-')
-    {
-      here = begin <= wanted && wanted < end;
-    }
-    if (here && line.rfind("VmFlags:", 0) == 0)
-    {
-      return line.find(" hg") != std::string::npos;
-    }
-  }
-  return false;
-}
-
 /// Whether the middle of a block that is allocated now has huge pages, where there are any.
 bool nextBlockHasAdvice()
 {
   const std::vector<char> block(kBytes, 1);
-  return hasAdvice(block.data() + kBytes / 2);
+  return isAdvised(block.data() + kBytes / 2);
 }
 
-bool systemHasHugePages()
+/// Whether those that the heap asks for are listed.
+bool heapListsHugePages()
 {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
   return false; // blocks are not glibc's
 #else
-  return std::filesystem::exists("/sys/kernel/mm/transparent_hugepage/enabled");
+  return systemListsHugePages();
 #endif
 }
 
@@ -66,7 +41,7 @@ TEST(HugeHeapDeathTest, GivesBlocksHugePages)
   {
     const bool before = nextBlockHasAdvice();
     app::useHugeHeap();
-    std::exit(!before && nextBlockHasAdvice() == systemHasHugePages() ? 0 : 1);
+    std::exit(!before && nextBlockHasAdvice() == heapListsHugePages() ? 0 : 1);
   };
   EXPECT_EXIT(ask(), testing::ExitedWithCode(0), "");
 }

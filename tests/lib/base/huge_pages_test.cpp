@@ -1,14 +1,12 @@
 #include "base/huge_pages.h"
 
-#include <gtest/gtest.h>
+#include "support/huge_pages.h"
 
-#include <sys/mman.h>
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -19,53 +17,14 @@ namespace
 
 constexpr std::size_t kCount = std::size_t{ 4 } << 20;
 
-/// Whether the system was asked for huge pages at an address: its mapping has the flag "hg".
-bool isAdvised(const void* address)
-{
-  const auto wanted = reinterpret_cast<std::uintptr_t>(address);
-  std::ifstream maps("/proc/self/smaps");
-  std::string line;
-  bool inside = false;
-  while (std::getline(maps, line))
-  {
-    std::uintptr_t begin = 0;
-    std::uintptr_t end = 0;
-    char dash = 0;
-    std::istringstream words(line);
-    if (words >> std::hex >> begin >> dash >> end && dash == '-')
-    {
-      inside = begin <= wanted && wanted < end;
-    }
-    if (inside && line.compare(0, 8, "VmFlags:") == 0)
-    {
-      return line.find(" hg") != std::string::npos;
-    }
-  }
-  return false;
-}
-
-/// Whether pages that are asked to be huge are listed as such here: not every kernel has them, and
-/// not every sandbox shows them.
-bool systemListsHugePages()
-{
-  void* pages = mmap(nullptr, kCount, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-  if (pages == MAP_FAILED)
-  {
-    return false;
-  }
-  const bool listed = madvise(pages, kCount, MADV_HUGEPAGE) == 0 && isAdvised(pages);
-  munmap(pages, kCount);
-  return listed;
-}
-
 TEST(HugePages, AreAskedForWhereAVectorIsLarge)
 {
-  if (!systemListsHugePages())
+  if (!test::systemListsHugePages())
   {
     GTEST_SKIP() << "this system does not list huge pages";
   }
   const std::vector<std::uint8_t> large = largeVector<std::uint8_t>(kCount);
-  EXPECT_TRUE(isAdvised(large.data() + kCount / 2));
+  EXPECT_TRUE(test::isAdvised(large.data() + kCount / 2));
 }
 
 TEST(HugePages, ElementsAreThoseOfAnOrdinaryVector)
