@@ -42,6 +42,7 @@ build()
   shift 2
   export CCACHE_BASEDIR=${CCACHE_BASEDIR:-$PWD}
   export CCACHE_NOHASHDIR=true # debug information names another folder then
+  export CCACHE_INODECACHE=true # so that it does not read all precompiled headers for each file
   export CCACHE_SLOPPINESS=${CCACHE_SLOPPINESS:-pch_defines,time_macros} # for precompiled headers
   if [[ ! -e $folder/build.ninja ]]; then
     configure "$preset" "$folder"

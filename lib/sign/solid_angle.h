@@ -62,8 +62,8 @@ MEDIAL_INLINE void multiply(double real, double imaginary, double& sumReal, doub
   const double before = sumImaginary;
   const double newReal = sumReal * real - before * imaginary;
   const double after = sumReal * imaginary + before * real;
-  const double forwards = (imaginary > 0.0) & (before >= 0.0) & (after < 0.0) ? 1.0 : 0.0;
-  const double backwards = (imaginary < 0.0) & (before < 0.0) & (after >= 0.0) ? 1.0 : 0.0;
+  const double forwards = ((imaginary > 0.0) & (before >= 0.0) & (after < 0.0)) ? 1.0 : 0.0;
+  const double backwards = ((imaginary < 0.0) & (before < 0.0) & (after >= 0.0)) ? 1.0 : 0.0;
   turns += forwards - backwards;
   sumReal = newReal;
   sumImaginary = after;

@@ -1,6 +1,7 @@
 #include "huge_heap.h"
 
 #include "support/huge_pages.h"
+#include "support/sanitizers.h"
 
 #include <gtest/gtest.h>
 
@@ -24,14 +25,10 @@ bool nextBlockHasAdvice()
   return isAdvised(block.data() + kBytes / 2);
 }
 
-/// Whether those that the heap asks for are listed.
+/// Whether those that the heap asks for are listed. Blocks of sanitizers are not glibc's.
 bool heapListsHugePages()
 {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-  return false; // blocks are not glibc's
-#else
-  return systemListsHugePages();
-#endif
+  return !kUnderAddressSanitizer && !kUnderThreadSanitizer && systemListsHugePages();
 }
 
 // Each in a process of its own, since the heap stays as it is.

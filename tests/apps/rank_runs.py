@@ -134,9 +134,7 @@ class RankTest(unittest.TestCase):
 
     def run_short_of_memory(self, *arguments):
         """medial-axis as three processes, the last of which gets no memory after a while."""
-        # AddressSanitizer wants to be the first library.
-        fault = ("-x", f"LD_PRELOAD={FAULTS}", "-x", "MEDIAL_FAIL_ALLOCATION=15000",
-                 "-x", "ASAN_OPTIONS=verify_asan_link_order=0")
+        fault = ("-x", f"LD_PRELOAD={FAULTS}", "-x", "MEDIAL_FAIL_ALLOCATION=15000")
         program = (PROGRAM, *arguments)
         return self.run_command(*LAUNCHER, "-np", "2", *program, ":", "-np", "1", *fault, *program)
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "sanitizers.h"
+
 #include <fstream>
 
 #include <unistd.h>
@@ -17,11 +19,8 @@ inline double residentMiB()
   return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / (1 << 20);
 }
 
-/// By how much it may grow over many frames of the same work, MiB.
-#ifdef __SANITIZE_ADDRESS__
-constexpr double kAllowedGrowth = 512.0; // it keeps freed memory for a while
-#else
-constexpr double kAllowedGrowth = 4.0;
-#endif
+/// By how much it may grow over many frames of the same work, MiB. AddressSanitizer keeps freed
+/// memory for a while.
+constexpr double kAllowedGrowth = kUnderAddressSanitizer ? 512.0 : 4.0;
 
 } // namespace medial::test

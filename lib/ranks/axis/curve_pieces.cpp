@@ -243,8 +243,10 @@ std::vector<CurveRecord> straightened(const PreservationInput& input, const Chec
             [&]
             {
               const AxisGeometry geometry{ input.part.field().sites(), input.part.field().query(),
-                frame, whole, whole, glm::radians(options.angle), options.lambda / frame.unit,
-                options.radius / frame.unit, checkpoint };
+                frame, whole, whole,
+                { glm::radians(options.angle), options.lambda / frame.unit,
+                  options.radius / frame.unit },
+                checkpoint };
               enough = curves.straighten(geometry, known);
             });
         });

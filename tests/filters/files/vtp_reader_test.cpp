@@ -4,6 +4,7 @@
 
 #include "support/files.h"
 #include "support/refusal.h"
+#include "support/sanitizers.h"
 
 #include "medial/error.h"
 
@@ -329,11 +330,8 @@ TEST(VtpReader, DamagedFilesTakeLittleMemory)
     }
   }
   EXPECT_GT(refused, 600);
-#ifdef __SANITIZE_ADDRESS__
-  constexpr std::int64_t kFreedButKept = 256 * 1024; // AddressSanitizer's quarantine
-#else
-  constexpr std::int64_t kFreedButKept = 0;
-#endif
+  // AddressSanitizer's quarantine
+  constexpr std::int64_t kFreedButKept = kUnderAddressSanitizer ? 256 * 1024 : 0;
   EXPECT_LT(maxMemoryKiB() - before, kFreedButKept + 100 * 1024);
 }
 

@@ -256,8 +256,7 @@ struct SolidOracle::Facet
 };
 
 SolidOracle::SolidOracle(const TriangleMesh& mesh)
-  : mesh_(mesh)
-  , search_(mesh)
+  : search_(mesh)
   , bounds_(mesh.bounds())
 {
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i)

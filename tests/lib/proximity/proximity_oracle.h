@@ -43,7 +43,6 @@ public:
 private:
   struct Facet;
 
-  const TriangleMesh& mesh_;
   MeshSearch search_;
   Bounds bounds_;
   std::vector<Facet> facets_;
