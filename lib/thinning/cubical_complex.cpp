@@ -143,6 +143,17 @@ std::array<CubeCell, 12> facesAround(const CubicalComplex& complex, CubeCell ver
   return faces;
 }
 
+std::array<glm::ivec3, 8> voxelsAround(const CubicalComplex& complex, CubeCell vertex)
+{
+  std::array<glm::ivec3, 8> voxels{};
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    voxels[corner] =
+      complex.position(vertex) - glm::ivec3(corner & 1, corner >> 1 & 1, corner >> 2);
+  }
+  return voxels;
+}
+
 CubicalComplex closureOf(const glm::ivec3& size, const std::vector<CubeCell>& faces)
 {
   constexpr int kLayers = 4;

@@ -172,6 +172,10 @@ std::vector<CubeCell> cellsOf(const CubicalComplex& complex, int kind);
 /// grid cell.
 std::array<CubeCell, 12> facesAround(const CubicalComplex& complex, CubeCell vertex);
 
+/// Returns the positions of the voxels around a vertex, whether they are there or not: the corners
+/// of its grid cell.
+std::array<glm::ivec3, 8> voxelsAround(const CubicalComplex& complex, CubeCell vertex);
+
 /// Returns a complex of faces, with their edges and corners.
 /// @param faces ascending by their positions.
 CubicalComplex closureOf(const glm::ivec3& size, const std::vector<CubeCell>& faces);

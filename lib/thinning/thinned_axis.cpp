@@ -156,23 +156,18 @@ private:
 
   Origin originOf(CubeCell vertex) const
   {
-    Origin both;
-    both.onSheet = true;
-    Origin either;
+    Origin origin;
+    origin.onSheet = isOnSheet(complex_, samples_, vertex);
     for (const CubeCell face : facesAround(complex_, vertex))
     {
       const bool there = complex_.has(face);
       const bool selected = samples_.find(face) != AxisSamples::kNone;
-      if (there && selected)
+      if (origin.onSheet ? there && selected : there || selected)
       {
-        both.faces.add(face);
-      }
-      if (there || selected)
-      {
-        either.faces.add(face);
+        origin.faces.add(face);
       }
     }
-    return both.faces.count > 0 ? both : either.faces.count > 0 ? either : this->anyOrigin(vertex);
+    return origin.faces.count > 0 ? origin : this->anyOrigin(vertex);
   }
 
   /// Returns the faces around a corner whose grid edges are in the solid.
@@ -220,10 +215,8 @@ private:
   {
     glm::ivec3 deepest(-1);
     float maxDepth = 0.0f;
-    for (int corner = 0; corner < 8; ++corner)
+    for (const glm::ivec3& voxel : voxelsAround(complex_, vertex))
     {
-      const glm::ivec3 voxel =
-        complex_.position(vertex) - glm::ivec3(corner & 1, corner >> 1 & 1, corner >> 2);
       const float depth = depth_.at(CubicalComplex::index(complex_.cell(voxel, 0)));
       if (inSolid(depth_, complex_, voxel) && (deepest.x < 0 || depth > maxDepth))
       {
@@ -302,6 +295,13 @@ void addCellsAt(const CubicalComplex& complex, const CellRanks& points, CubeCell
 }
 
 } // namespace
+
+bool isOnSheet(const CubicalComplex& complex, const AxisSamples& samples, CubeCell vertex)
+{
+  const std::array<CubeCell, 12> faces = facesAround(complex, vertex);
+  return std::any_of(faces.begin(), faces.end(),
+    [&](CubeCell face) { return complex.has(face) && samples.find(face) != AxisSamples::kNone; });
+}
 
 ThinnedAxis pointsOfCorners(const CubicalComplex& complex, std::vector<CubeCell> vertices,
   const DepthField& depth, const SampleContext& context, const SelectedSamples& selected,

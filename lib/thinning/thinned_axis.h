@@ -34,6 +34,10 @@ struct SelectedSamples
   const std::vector<std::size_t>& indices; ///< in the selection, of the first samples of the solid
 };
 
+/// Whether selected faces are left around a corner.
+/// @param samples of the selected faces, and no others around it.
+bool isOnSheet(const CubicalComplex& complex, const AxisSamples& samples, CubeCell vertex);
+
 /// Gives corners of what thinning left their points, without cells.
 ///
 /// Where selected faces are left, a point is placed as by surfacePoints(). Elsewhere it lies at the

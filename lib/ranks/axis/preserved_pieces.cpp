@@ -216,14 +216,12 @@ std::optional<PreservedPieces::Corners> PreservedPieces::cornersOf(const Part& p
       AxisSamples samples(complex, selected.crossings, std::move(selected.bisectors));
       for (const CubeCell vertex : vertices)
       {
-        const std::array<CubeCell, 12> faces = facesAround(complex, vertex);
-        const bool onSheet = std::any_of(faces.begin(), faces.end(),
-          [&](CubeCell face)
-          { return complex.has(face) && samples.find(face) != AxisSamples::kNone; });
-        for (int corner = 0; corner < 8 && !onSheet; ++corner)
+        if (!isOnSheet(complex, samples, vertex))
         {
-          part.field.wantBits(
-            complex.position(vertex) - glm::ivec3(corner & 1, corner >> 1 & 1, corner >> 2));
+          for (const glm::ivec3& voxel : voxelsAround(complex, vertex))
+          {
+            part.field.wantBits(voxel);
+          }
         }
       }
       corners.emplace(
