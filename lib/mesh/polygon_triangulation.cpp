@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string>
+#include <utility>
 
 namespace medial
 {
@@ -246,6 +248,21 @@ Triangles splitQuad(const std::vector<glm::dvec2>& q)
   return { { 0, 1, 2 }, { 0, 2, 3 } };
 }
 
+/// Returns the corners from the lowest position on, and on towards the lower of its neighbours.
+std::vector<int> canonicalOrder(const std::vector<Point3>& corners)
+{
+  const int count = static_cast<int>(corners.size());
+  const int first =
+    static_cast<int>(std::min_element(corners.begin(), corners.end()) - corners.begin());
+  const bool forwards = corners[(first + 1) % count] < corners[(first + count - 1) % count];
+  std::vector<int> order;
+  for (int i = 0; i < count; ++i)
+  {
+    order.push_back((first + (forwards ? i : count - i)) % count);
+  }
+  return order;
+}
+
 Triangles fan(int count)
 {
   Triangles triangles;
@@ -278,14 +295,31 @@ Triangles triangulatePolygon(const std::vector<Point3>& corners, TriangulationEf
   {
     return fan(count);
   }
-  const std::vector<glm::dvec3> scaled = normalised(corners);
+  const std::vector<int> order = canonicalOrder(corners);
+  std::vector<Point3> ordered;
+  std::transform(order.begin(), order.end(), std::back_inserter(ordered),
+    [&](int corner) { return corners[corner]; });
+  const std::vector<glm::dvec3> scaled = normalised(ordered);
   const glm::dvec3 normal = newellNormal(scaled);
   if (glm::dot(normal, normal) == 0.0)
   {
     return fan(count);
   }
   const std::vector<glm::dvec2> points = project(scaled, normal);
-  return count == 4 ? splitQuad(points) : EarClipper(points, effort).run();
+  Triangles triangles = count == 4 ? splitQuad(points) : EarClipper(points, effort).run();
+  const bool isReversed = (order[0] + 1) % count != order[1];
+  for (std::array<int, 3>& triangle : triangles)
+  {
+    for (int& corner : triangle)
+    {
+      corner = order[corner];
+    }
+    if (isReversed)
+    {
+      std::swap(triangle[1], triangle[2]);
+    }
+  }
+  return triangles;
 }
 
 } // namespace medial

@@ -30,7 +30,9 @@ private:
 ///
 /// Ears are clipped in the projection along the main axis of the Newell normal. A quad is split
 /// along its valid diagonal, or along the shorter one if both are valid. A polygon that is not
-/// simple still gives triangles over its corners; one without a normal gives a fan.
+/// simple still gives triangles over its corners; one without a normal gives a fan. The triangles
+/// depend neither on the corner that comes first nor on the way round: two faces back to back
+/// become the same triangles, turned round.
 ///
 /// @param corners in order, at least three.
 /// @param effort of all polygons of the mesh.

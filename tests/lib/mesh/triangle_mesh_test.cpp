@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <set>
 
 using namespace medial;
 using namespace medial::test;
@@ -282,6 +283,36 @@ TEST(Triangulation, QuadTakesTheShorterDiagonal)
   for (const auto& t : mesh.triangles)
   {
     EXPECT_EQ(std::count(t.begin(), t.end(), 1) + std::count(t.begin(), t.end(), 3), 2);
+  }
+}
+
+// Faces of a double-sided mesh, whose copies cancel each other only as the same triangles.
+TEST(Triangulation, FirstCornerAndDirectionDoNotMatter)
+{
+  for (const std::vector<std::array<double, 2>>& polygon :
+    { std::vector<std::array<double, 2>>{ { 0, 0 }, { 4, 0 }, { 4, 2 }, { 0, 2 } },
+      { { 0, 0 }, { 3, 0 }, { 3, 3 }, { 2, 3 }, { 2, 1 }, { 0, 1 } } })
+  {
+    std::vector<Point3> corners = tilted(polygon);
+    std::set<std::set<std::set<Point3>>> ways;
+    for (std::size_t way = 0; way < 2 * corners.size(); ++way)
+    {
+      const TriangleMesh mesh = buildTriangleMesh(polygonInput(corners));
+      std::set<std::set<Point3>> triangles;
+      for (const auto& t : mesh.triangles)
+      {
+        triangles.insert({ mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]] });
+      }
+      ways.insert(triangles);
+      const auto [sum, total] = areas(mesh);
+      EXPECT_NEAR(std::hypot(sum[0], sum[1], sum[2]), total, 1e-12); // none is turned over
+      std::rotate(corners.begin(), corners.begin() + 1, corners.end());
+      if (way == corners.size())
+      {
+        std::reverse(corners.begin(), corners.end());
+      }
+    }
+    EXPECT_EQ(ways.size(), 1u);
   }
 }
 
