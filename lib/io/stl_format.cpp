@@ -136,6 +136,15 @@ private:
   std::vector<Point3> corners_;
 };
 
+/// Whether that is the first word, or the beginning of it.
+bool startsWithSolid(std::string_view text)
+{
+  constexpr std::string_view kSolid = "solid";
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  return first != std::string_view::npos &&
+    lowerCase(std::string(text.substr(first, kSolid.size()))) == kSolid;
+}
+
 std::vector<Point3> cornersOf(const std::string& content)
 {
   const std::size_t triangles = promisedTriangles(content);
@@ -148,14 +157,15 @@ std::vector<Point3> cornersOf(const std::string& content)
   {
     return parseBinary(content);
   }
-  const std::string_view start = std::string_view(content).substr(0, kHeader);
-  if (start.substr(0, 5) != "solid" || start.find('\0') != std::string_view::npos)
+  const std::string_view text = withoutMark(content);
+  const std::string_view start = text.substr(0, kHeader);
+  if (!startsWithSolid(text) || start.find('\0') != std::string_view::npos)
   {
     refuse("not a complete STL file: it is not text that starts with 'solid', and the " +
       std::to_string(triangles) + " triangles of a binary one would take " +
       std::to_string(expected) + " bytes, not " + std::to_string(content.size()));
   }
-  return StlTextParser(content).parse();
+  return StlTextParser(text).parse();
 }
 
 } // namespace

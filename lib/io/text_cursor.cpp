@@ -89,6 +89,12 @@ std::optional<std::int64_t> toInteger(std::string_view word)
   return parseWhole<std::int64_t>(word);
 }
 
+std::string_view withoutMark(std::string_view text)
+{
+  constexpr std::string_view kMark = "\xEF\xBB\xBF";
+  return text.substr(text.substr(0, kMark.size()) == kMark ? kMark.size() : 0);
+}
+
 std::string lowerCase(std::string word)
 {
   std::transform(word.begin(), word.end(), word.begin(),

@@ -47,6 +47,9 @@ private:
 std::optional<double> toDouble(std::string_view word);
 std::optional<std::int64_t> toInteger(std::string_view word);
 
+/// Returns a text without the mark that says that it is UTF-8.
+std::string_view withoutMark(std::string_view text);
+
 /// Turns ASCII letters into lower case.
 std::string lowerCase(std::string word);
 

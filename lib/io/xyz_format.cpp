@@ -206,13 +206,6 @@ bool isComment(std::string_view line)
   return start == std::string_view::npos || line[start] == '#' || line.substr(start, 2) == "//";
 }
 
-/// Without the mark that says that a text is UTF-8.
-std::string_view withoutMark(std::string_view text)
-{
-  constexpr std::string_view kMark = "\xEF\xBB\xBF";
-  return text.substr(text.substr(0, kMark.size()) == kMark ? kMark.size() : 0);
-}
-
 } // namespace
 
 MeshInput parseXyz(const std::string& content)

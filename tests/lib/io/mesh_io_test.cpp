@@ -230,6 +230,16 @@ TEST(MeshIo, ReadsSeveralSolidsOfOneStlTextInAnyCase)
   EXPECT_EQ(readText("a.stl", content).polygons.size(), 2);
 }
 
+TEST(MeshIo, ReadsStlTextThatDoesNotBeginWithItsFirstWord)
+{
+  const std::string solid = "SOLID s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+                            "vertex 0 1 0\nendloop\nendfacet\nendsolid s\n";
+  for (const char* before : { "", "\n", " \t\r\n ", "\xEF\xBB\xBF" })
+  {
+    EXPECT_EQ(readText("a.stl", before + solid).polygons.size(), 1);
+  }
+}
+
 TEST(MeshIo, RefusesPointsThatDoNotExist)
 {
   TriangleMesh mesh = sample();
