@@ -30,6 +30,12 @@ void installSignalHandlers()
   action.sa_flags = SA_RESTART | SA_RESETHAND | SA_SIGINFO;
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
+  struct sigaction before = {};
+  sigaction(SIGHUP, nullptr, &before);
+  if (before.sa_handler != SIG_IGN) // as nohup sets it
+  {
+    sigaction(SIGHUP, &action, nullptr);
+  }
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
@@ -48,6 +54,7 @@ void ignoreInterrupts()
   ignored = 1;
   std::signal(SIGINT, SIG_IGN);
   std::signal(SIGTERM, SIG_IGN);
+  std::signal(SIGHUP, SIG_IGN);
 }
 
 void throwInterrupted(const std::string& who)

@@ -5,8 +5,9 @@
 namespace medial::app
 {
 
-/// Handles SIGINT and SIGTERM: the first signal asks the program to stop, the second one ends it at
-/// once. Also turns a write beyond the file size limit into an ordinary error.
+/// Handles SIGINT, SIGTERM and, unless it is ignored, SIGHUP: the first signal asks the program to
+/// stop, the second one ends it at once. Also turns a write beyond the file size limit into an
+/// ordinary error.
 void installSignalHandlers();
 
 /// True once the program has been asked to stop.

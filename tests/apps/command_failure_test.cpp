@@ -315,15 +315,19 @@ TEST_F(CommandFailure, InterruptLeavesNothingBehind)
 {
   writeFile(input, objText(icosphere(1.0, 5)));
   writeFile(folder.file("axis.vtp"), "old");
-  RunOptions options;
-  options.interruptAfter = 0.5;
-  const Outcome outcome =
-    runMedialAxis({ input, "--resolution", "512", "-o", folder.file("axis.vtp") }, options);
-  EXPECT_EQ(outcome.exitCode, kInterrupted) << outcome.err;
-  EXPECT_TRUE(contains(outcome.err, "interrupted")) << outcome.err;
-  EXPECT_EQ(outcome.err.find('\n'), outcome.err.size() - 1) << outcome.err;
-  EXPECT_EQ(folder.list(), (std::vector<std::string>{ "axis.vtp", "box.obj" }));
-  EXPECT_EQ(readFile(folder.file("axis.vtp")), "old");
+  for (const int signal : { SIGINT, SIGTERM, SIGHUP })
+  {
+    RunOptions options;
+    options.interruptAfter = 0.5;
+    options.signal = signal;
+    const Outcome outcome =
+      runMedialAxis({ input, "--resolution", "512", "-o", folder.file("axis.vtp") }, options);
+    EXPECT_EQ(outcome.exitCode, kInterrupted) << outcome.err;
+    EXPECT_TRUE(contains(outcome.err, "interrupted")) << outcome.err;
+    EXPECT_EQ(outcome.err.find('\n'), outcome.err.size() - 1) << outcome.err;
+    EXPECT_EQ(folder.list(), (std::vector<std::string>{ "axis.vtp", "box.obj" }));
+    EXPECT_EQ(readFile(folder.file("axis.vtp")), "old");
+  }
 }
 
 TEST_F(CommandFailure, InterruptLeavesNothingOfAField)

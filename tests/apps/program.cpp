@@ -94,7 +94,7 @@ void follow(pid_t child, const RunOptions& options, Pipe& out, Pipe& err, Outcom
     const std::chrono::duration<double> elapsed = Clock::now() - start;
     if (!interrupted && elapsed.count() >= options.interruptAfter && handlesInterrupts(child))
     {
-      kill(child, SIGINT);
+      kill(child, options.signal);
       interrupted = true;
     }
     for (int i = 0; i < 2; ++i)

@@ -2,6 +2,7 @@
 
 #include "support/files.h"
 
+#include <csignal>
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -33,7 +34,8 @@ struct RunOptions
   std::filesystem::path folder; ///< where to run; this process's folder when empty
   std::filesystem::path output; ///< what standard output is, instead of Outcome::out
   long fileSizeLimit = 0;       ///< bytes that a file may grow to; 0 for no limit
-  double interruptAfter = 0.0;  ///< seconds before SIGINT, sent once it is handled; 0: never
+  double interruptAfter = 0.0;  ///< seconds before a signal, sent once SIGINT is handled; 0: never
+  int signal = SIGINT;          ///< that interrupts
 };
 
 Outcome runMedialAxis(const std::vector<std::string>& arguments, const RunOptions& options = {});
