@@ -7,7 +7,6 @@
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
-#include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
@@ -38,9 +37,9 @@ using OutputNumbers = vtkSurfaceBlocks::OutputNumbers;
 }
 
 //------------------------------------------------------------------------------
-void AddBlock(vtkDataObject* block, std::vector<vtkDataSet*>& blocks)
+void AddBlock(vtkDataObject* block, std::vector<vtkPointSet*>& blocks)
 {
-  auto* data = vtkDataSet::SafeDownCast(block);
+  auto* data = vtkPointSet::SafeDownCast(block);
   if (!vtkPolyData::SafeDownCast(data) && !vtkUnstructuredGrid::SafeDownCast(data))
   {
     Refuse(std::string("the input is ") + (block ? block->GetClassName() : "nothing") +
@@ -53,9 +52,9 @@ void AddBlock(vtkDataObject* block, std::vector<vtkDataSet*>& blocks)
 }
 
 //------------------------------------------------------------------------------
-std::vector<vtkDataSet*> BlocksOf(vtkDataObject* input)
+std::vector<vtkPointSet*> BlocksOf(vtkDataObject* input)
 {
-  std::vector<vtkDataSet*> blocks;
+  std::vector<vtkPointSet*> blocks;
   auto* composite = vtkCompositeDataSet::SafeDownCast(input);
   if (!composite)
   {
@@ -71,12 +70,23 @@ std::vector<vtkDataSet*> BlocksOf(vtkDataObject* input)
 }
 
 //------------------------------------------------------------------------------
+// Whoever makes arrays by hand may make them too short.
+void RequireOneForEach(vtkDataArray* array, vtkIdType count, const char* name)
+{
+  if (array->GetNumberOfTuples() != count)
+  {
+    Refuse(std::string(name) + " has " + std::to_string(array->GetNumberOfTuples()) +
+      " values, and there are " + std::to_string(count) + " points or cells to have one");
+  }
+}
+
+//------------------------------------------------------------------------------
 // The global ids of all blocks, or none if some has none. Some filters keep such ids without
 // marking them, under their usual name.
-Numbers GlobalIds(const std::vector<vtkDataSet*>& blocks, int association, const char* name)
+Numbers GlobalIds(const std::vector<vtkPointSet*>& blocks, int association, const char* name)
 {
   Numbers numbers;
-  for (vtkDataSet* block : blocks)
+  for (vtkPointSet* block : blocks)
   {
     vtkDataSetAttributes* attributes = block->GetAttributes(association);
     vtkDataArray* ids = attributes->GetGlobalIds();
@@ -85,6 +95,7 @@ Numbers GlobalIds(const std::vector<vtkDataSet*>& blocks, int association, const
     {
       return {};
     }
+    RequireOneForEach(ids, block->GetNumberOfElements(association), name);
     for (vtkIdType i = 0; i < ids->GetNumberOfTuples(); ++i)
     {
       numbers.push_back(ids->GetVariantValue(i).ToTypeInt64());
@@ -99,7 +110,7 @@ Numbers GlobalIds(const std::vector<vtkDataSet*>& blocks, int association, const
 }
 
 //------------------------------------------------------------------------------
-medial::CellList& ListFor(vtkDataSet* block, vtkIdType cell, medial::MeshInput& mesh)
+medial::CellList& ListFor(vtkPointSet* block, vtkIdType cell, medial::MeshInput& mesh)
 {
   const int type = block->GetCellType(cell);
   switch (type)
@@ -125,7 +136,7 @@ medial::CellList& ListFor(vtkDataSet* block, vtkIdType cell, medial::MeshInput& 
 
 //------------------------------------------------------------------------------
 // firstCell is the number of the block's first cell.
-void AppendBlock(vtkDataSet* block, std::int64_t firstCell, medial::MeshInput& mesh)
+void AppendBlock(vtkPointSet* block, std::int64_t firstCell, medial::MeshInput& mesh)
 {
   const auto firstPoint = static_cast<std::int64_t>(mesh.points.size());
   for (vtkIdType point = 0; point < block->GetNumberOfPoints(); ++point)
@@ -134,6 +145,10 @@ void AppendBlock(vtkDataSet* block, std::int64_t firstCell, medial::MeshInput& m
     block->GetPoint(point, mesh.points.back().data());
   }
   vtkDataArray* ghosts = block->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName());
+  if (ghosts)
+  {
+    RequireOneForEach(ghosts, block->GetNumberOfCells(), vtkDataSetAttributes::GhostArrayName());
+  }
   vtkNew<vtkIdList> ids;
   for (vtkIdType cell = 0; cell < block->GetNumberOfCells(); ++cell)
   {
@@ -183,13 +198,12 @@ OutputNumbers NumbersOf(const medial::MeshInput& mesh, const std::vector<char>& 
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkPoints> PointsOf(const std::vector<vtkDataSet*>& blocks,
+vtkSmartPointer<vtkPoints> PointsOf(const std::vector<vtkPointSet*>& blocks,
   const std::vector<medial::Point3>& points, const Numbers& numbers)
 {
   auto result = vtkSmartPointer<vtkPoints>::New();
   const bool allAreFloats = std::all_of(blocks.begin(), blocks.end(),
-    [](vtkDataSet* block)
-    { return vtkPointSet::SafeDownCast(block)->GetPoints()->GetDataType() == VTK_FLOAT; });
+    [](vtkPointSet* block) { return block->GetPoints()->GetDataType() == VTK_FLOAT; });
   result->SetDataType(allAreFloats ? VTK_FLOAT : VTK_DOUBLE);
   for (std::size_t i = 0; i < points.size(); ++i)
   {
@@ -221,11 +235,11 @@ vtkSmartPointer<vtkCellArray> CellsOf(const medial::CellList& list, const Output
 
 //------------------------------------------------------------------------------
 // Passes on the arrays that all blocks have.
-void CopyArrays(const std::vector<vtkDataSet*>& blocks, int association, const Numbers& numbers,
+void CopyArrays(const std::vector<vtkPointSet*>& blocks, int association, const Numbers& numbers,
   vtkDataSetAttributes* output)
 {
   vtkDataSetAttributes::FieldList arrays(static_cast<int>(blocks.size()));
-  for (vtkDataSet* block : blocks)
+  for (vtkPointSet* block : blocks)
   {
     arrays.IntersectFieldList(block->GetAttributes(association));
   }
@@ -257,7 +271,7 @@ vtkSurfaceBlocks::vtkSurfaceBlocks(vtkDataObject* input)
 std::int64_t vtkSurfaceBlocks::GetNumberOfCells() const
 {
   std::int64_t cells = 0;
-  for (vtkDataSet* block : this->Blocks)
+  for (vtkPointSet* block : this->Blocks)
   {
     cells += block->GetNumberOfCells();
   }
@@ -269,7 +283,7 @@ medial::MeshInput vtkSurfaceBlocks::ToMeshInput() const
 {
   medial::MeshInput mesh;
   std::int64_t cells = 0;
-  for (vtkDataSet* block : this->Blocks)
+  for (vtkPointSet* block : this->Blocks)
   {
     AppendBlock(block, cells, mesh);
     cells += block->GetNumberOfCells();

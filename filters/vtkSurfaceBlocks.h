@@ -11,7 +11,7 @@
 #include <vector>
 
 class vtkDataObject;
-class vtkDataSet;
+class vtkPointSet;
 class vtkPolyData;
 
 class vtkSurfaceBlocks
@@ -60,7 +60,7 @@ public:
   OutputNumbers ToPolyData(const std::vector<char>& isLeftOut, vtkPolyData* output) const;
 
 private:
-  std::vector<vtkDataSet*> Blocks;
+  std::vector<vtkPointSet*> Blocks;
 };
 
 #endif

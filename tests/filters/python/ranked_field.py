@@ -262,6 +262,8 @@ def damage(case, data, rank):
         data.GetPointData().RemoveArray("Radius")
     elif fault == "hole":
         return block(case, np.arange(0), np.empty(0, dtype=int))
+    elif fault == "short":
+        add_array(data.GetCellData(), case["array"], np.zeros(1))
     elif fault == "type":
         grid = vtkUnstructuredGrid()
         grid.SetPoints(data.GetPoints())
