@@ -1,5 +1,7 @@
 #include "thickness/convex_edges.h"
 
+#include "base/segment_distance.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -14,15 +16,6 @@ constexpr double kMinWedge = 15.0;
 constexpr double kMaxWedge = 60.0;
 /// How far the edge may be from where the planes meet, as a share of the way there.
 constexpr double kReach = 0.25;
-
-double squaredDistance(const glm::dvec3& x, const glm::dvec3& a, const glm::dvec3& b)
-{
-  const glm::dvec3 along = b - a;
-  const double square = glm::dot(along, along);
-  const double t = square > 0.0 ? std::clamp(glm::dot(x - a, along) / square, 0.0, 1.0) : 0.0;
-  const glm::dvec3 gap = x - (a + t * along);
-  return glm::dot(gap, gap);
-}
 
 } // namespace
 
@@ -71,7 +64,7 @@ bool ConvexEdges::isNear(const glm::dvec3& x, double distance) const
       for (int slot = leaf.first; slot < leaf.first + leaf.count; ++slot)
       {
         const int first = 2 * tree_.elements()[slot];
-        found = found || squaredDistance(x, points_[first], points_[first + 1]) <= limit;
+        found = found || squaredDistanceToSegment(x, points_[first], points_[first + 1]) <= limit;
       }
     });
   return found;

@@ -10,6 +10,11 @@ namespace
 
 /// Share of the diagonal within which a face is part of the surface that the ray starts on.
 constexpr double kTooNear = 1e-6;
+/// Cosine of the angle between a ray and a face's normal. Below the first the ray runs along the
+/// face; above the second and right at the start, the face is that of a body on which the other one
+/// stands.
+constexpr double kAlong = 1e-3;
+constexpr double kAcross = 0.99999;
 /// Borders that lie opposite each other meet in spite of rounding: this share of a triangle outside
 /// it counts as inside.
 constexpr double kMargin = 1e-6;
@@ -48,12 +53,13 @@ std::optional<RayEnd> OppositeSurface::find(const HalfLine& ray, double sign, co
     const glm::ivec3& corners = sites_.faces()[face];
     const double distance = ray.distanceTo(sites_.points()[corners[0]], sites_.points()[corners[1]],
       sites_.points()[corners[2]], kMargin);
-    const bool leaves = sign * glm::dot(sites_.faceNormal(face), ray.direction()) > 0.0;
+    const double cosine = sign * glm::dot(sites_.faceNormal(face), ray.direction());
+    const bool isAtStart = distance <= kTooNear * diagonal_ && (cosine <= 0.0 || cosine >= kAcross);
     const bool better = distance < end.distance || (distance == end.distance && face < end.face);
-    if (better && std::isfinite(distance) && (leaves || distance > kTooNear * diagonal_) &&
+    if (better && std::isfinite(distance) && std::abs(cosine) >= kAlong && !isAtStart &&
       !start.isOn(face, corners))
     {
-      end.distance = distance;
+      end.distance = std::max(distance, 0.0);
       end.face = face;
     }
   };

@@ -27,8 +27,10 @@ public:
   static HalfLine rayFrom(const glm::dvec3& start, const glm::dvec3& direction, double diagonal);
 
   /// Returns the first face that the ray meets, of several at the same distance the lowest; nothing
-  /// if there is none. A face that the ray enters the solid through is passed over right at the
-  /// start: there it is another part of the surface that the ray starts on, by rounding.
+  /// if there is none. Right at the start two kinds of faces are passed over: one that the ray
+  /// enters the solid through is another part of the surface that the ray starts on, by rounding;
+  /// one that it meets at a right angle is that of a body which touches this one. So are faces that
+  /// the ray runs along, such as the next one at a seam.
   /// @param ray as rayFrom() makes it.
   /// @param sign 1 for a ray in the solid, -1 for one outside.
   /// @param limit local units; faces beyond need not be found.

@@ -4,6 +4,7 @@
 #include "thickness/convex_edges.h"
 #include "thickness/opposite_surface.h"
 #include "thickness/surface_answers.h"
+#include "thickness/surface_borders.h"
 
 namespace medial
 {
@@ -15,12 +16,14 @@ public:
   /// All must outlive this.
   /// @param opposite null if no ray will be asked for.
   /// @param edges null if there are none.
+  /// @param borders null if there are none.
   /// @param sign as for OppositeSurface::find().
   explicit OwnSurface(const SurfaceQuery& query, const OppositeSurface* opposite = nullptr,
-    const ConvexEdges* edges = nullptr, double sign = 1.0)
+    const ConvexEdges* edges = nullptr, const SurfaceBorders* borders = nullptr, double sign = 1.0)
     : query_(query)
     , opposite_(opposite)
     , edges_(edges)
+    , borders_(borders)
     , sign_(sign)
   {
   }
@@ -34,11 +37,16 @@ public:
   {
     return edges_ != nullptr && edges_->isNear(x, distance);
   }
+  bool isSeam(const glm::dvec3& place, const glm::dvec3& direction) override
+  {
+    return borders_ != nullptr && borders_->isSeam(place, direction);
+  }
 
 private:
   const SurfaceQuery& query_;
   const OppositeSurface* opposite_;
   const ConvexEdges* edges_;
+  const SurfaceBorders* borders_;
   double sign_;
 };
 

@@ -27,6 +27,9 @@ constexpr double kTouching = 0.95;
 /// The same for walls, whose values do not suffer from it: a bar that is as wide as thick touches a
 /// ball between opposite sides in the very middle of a side only.
 constexpr double kTouchingWall = 0.8;
+/// Radius of a ball as a share of the way of its centre, up to which the ray runs in another face,
+/// such as the next one at a seam.
+constexpr double kInFace = 1e-6;
 /// Where the side opens by more, degrees, another part of the solid begins. Facets of rounded
 /// surfaces turn less.
 constexpr double kOpens = 30.0;
@@ -87,6 +90,7 @@ void SideThickness::face(Side side)
   if (method_ == ThicknessMethod::Wall)
   {
     this->findOpenEdges();
+    borders_.emplace(sites_, connectivity_, diagonal_, sign_, complete_);
   }
   if (tellsEdges_)
   {
@@ -203,8 +207,9 @@ std::optional<TouchingBall::Ball> SideThickness::touchingBall(const Place& place
   {
     return ball.find(ray, first, position, touches);
   }
-  const std::optional<TouchingBall::Ball> bent =
-    TouchingBall(surface, kMaxBend, diagonal_).find(ray, first, position, touches);
+  const TouchingBall bends(surface, kMaxBend, diagonal_);
+  const std::optional<TouchingBall::Ball> bent = this->beyondSeams(bends, ray,
+    bends.find(ray, first, position, touches), bends.reach(), surface);
   if (!bent)
   {
     return std::nullopt;
@@ -217,10 +222,35 @@ std::optional<TouchingBall::Ball> SideThickness::touchingBall(const Place& place
     const auto exit =
       surface.opposite(OppositeSurface::rayFrom(ray.start, ray.direction, diagonal_), start);
     const double end = exit ? exit->distance : ball.reach();
-    return end > bent->position ? ball.findBehind(close, *bent, end) : std::nullopt;
+    return end > bent->position
+      ? this->beyondSeams(ball, close, ball.findBehind(close, *bent, end), end, surface)
+      : std::nullopt;
   }
   const std::optional<TouchingBall::Ball> found = ball.find(ray, first, position, touches);
   return found && found->closeness >= touching * found->startCloseness ? found : std::nullopt;
+}
+
+/// Where a surface is not welded, the border of the next face may be right beside a place, as if
+/// there were a wall as thin as the gap. What touches the ball there is passed over.
+std::optional<TouchingBall::Ball> SideThickness::beyondSeams(const TouchingBall& balls,
+  const TouchingBall::Ray& ray, std::optional<TouchingBall::Ball> ball, double end,
+  SurfaceAnswers& surface) const
+{
+  if (method_ != ThicknessMethod::Wall)
+  {
+    return ball;
+  }
+  const auto touchesSeam = [&]
+  {
+    const glm::dvec3 way = ray.start + ball->position * ray.direction - ball->opposite;
+    return ball->position < balls.minStart() || ball->radius <= kInFace * ball->position ||
+      surface.isSeam(ball->opposite, way / glm::length(way));
+  };
+  while (ball && ball->position > 0.0 && touchesSeam())
+  {
+    ball = balls.findBeyond(ray, *ball, end);
+  }
+  return ball;
 }
 
 SideThickness::Value SideThickness::rayAt(const TouchingBall::Ray& ray, const RayStart& start,

@@ -49,7 +49,7 @@ public:
   OwnSurface own() const
   {
     return OwnSurface(surface_, opposite_ ? &*opposite_ : nullptr, edges_ ? &*edges_ : nullptr,
-      sign_);
+      borders_ ? &*borders_ : nullptr, sign_);
   }
   /// The same, for rays that end within a limit, local units.
   std::optional<RayEnd> opposite(const HalfLine& ray, const RayStart& start, double limit) const
@@ -71,6 +71,9 @@ private:
   Value valueAtTriangle(int triangle, double guess, SurfaceAnswers& surface) const;
   Value ballAt(const Place& place, SurfaceAnswers& surface) const;
   std::optional<TouchingBall::Ball> touchingBall(const Place& place, SurfaceAnswers& surface) const;
+  std::optional<TouchingBall::Ball> beyondSeams(const TouchingBall& balls,
+    const TouchingBall::Ray& ray, std::optional<TouchingBall::Ball> ball, double end,
+    SurfaceAnswers& surface) const;
   Value rayAt(const TouchingBall::Ray& ray, const RayStart& start, SurfaceAnswers& surface) const;
   Value rayAtEdge(int point, SurfaceAnswers& surface) const;
 
@@ -98,6 +101,7 @@ private:
   std::vector<char> opens_;        ///< per point, as PlaceValues::opens; empty unless for walls
   std::vector<int> opensAlong_;    ///< the same per face
   std::optional<ConvexEdges> edges_;
+  std::optional<SurfaceBorders> borders_;   ///< for walls
   std::optional<OppositeSurface> opposite_; ///< of rays, and for large angles
 };
 

@@ -47,6 +47,9 @@ public:
   virtual std::optional<RayEnd> opposite(const HalfLine& ray, const RayStart& start) = 0;
   /// Whether a convex edge or tip is within a distance.
   virtual bool nearConvexEdge(const glm::dvec3& x, double distance) = 0;
+  /// Whether a border lies at a place whose face is turned away from a direction; see
+  /// SurfaceBorders::isSeam().
+  virtual bool isSeam(const glm::dvec3& place, const glm::dvec3& direction) = 0;
 };
 
 } // namespace medial

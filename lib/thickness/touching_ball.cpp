@@ -262,6 +262,25 @@ std::optional<TouchingBall::Ball> TouchingBall::findBehind(const Ray& ray, const
   return ball;
 }
 
+std::optional<TouchingBall::Ball> TouchingBall::findBeyond(const Ray& ray, const Ball& ball,
+  double end) const
+{
+  constexpr double kBeyond = 4.0;
+  const double position = kBeyond * std::max(ball.position, this->minStart());
+  if (position >= end)
+  {
+    return std::nullopt;
+  }
+  const Sample low = this->look(ray, position);
+  std::optional<Ball> next =
+    low.wide ? std::optional(ballOf(ray, low)) : this->firstWide(ray, low, this->look(ray, end));
+  if (next)
+  {
+    next->startCloseness = 1.0; // the edge may be nearer than the start, but means nothing
+  }
+  return next;
+}
+
 std::optional<TouchingBall::Ball> TouchingBall::firstWide(const Ray& ray, const Sample& low,
   const Sample& high) const
 {

@@ -66,6 +66,14 @@ public:
   /// @param end position where to stop, beyond that of the ball.
   std::optional<Ball> findBehind(const Ray& ray, const Ball& narrower, double end) const;
 
+  /// Finds the next ball where one does not count, since the surface that it touches is no more
+  /// than an edge right beside the start. From four times as far away edge and start are seen at a
+  /// small angle.
+  /// @param end as for findBehind().
+  std::optional<Ball> findBeyond(const Ray& ray, const Ball& ball, double end) const;
+
+  /// Nearer to the start, local units, the search for a ball stops: what lies there touches it.
+  double minStart() const;
   /// Rays end at this distance from their start.
   double reach() const { return reach_; }
 
@@ -87,8 +95,6 @@ private:
     Sample high;
   };
 
-  /// Nearer to the start, the search for a ball stops.
-  double minStart() const;
   /// Whether the start itself is the closest point.
   bool isStart(const Sample& sample) const;
   static Ball ballOf(const Ray& ray, const Sample& sample);

@@ -24,7 +24,8 @@ enum class ThicknessMethod
   Ray,
   /// Diameter of the ball that also touches the opposite wall: its separation angle is at least 120
   /// degrees. Where there is no such ball, as near the edges of a plate, the value is that of the
-  /// nearest place on the surface that has one, but not beyond the foot of a rib.
+  /// nearest place on the surface that has one, but not beyond the foot of a rib. The border of
+  /// another face right beside the place, as where a surface is not welded, is no opposite wall.
   Wall
 };
 

@@ -14,7 +14,9 @@ SurfaceAnswer AskedSurface::ask(SurfaceQuestion question)
     return known_[next_++];
   }
   const SurfaceAnswer own = part_.answer(question);
-  if (question.kind != SurfaceQuestion::Kind::ConvexEdge && own.found())
+  const bool isYesOrNo = question.kind == SurfaceQuestion::Kind::ConvexEdge ||
+    question.kind == SurfaceQuestion::Kind::Seam;
+  if (!isYesOrNo && own.found())
   {
     // Others at the same distance may have a lower number.
     question.limit = std::min(question.limit, ThicknessPart::roundedUp(own.distance));
@@ -50,6 +52,12 @@ std::optional<RayEnd> AskedSurface::opposite(const HalfLine& ray, const RayStart
 bool AskedSurface::nearConvexEdge(const glm::dvec3& x, double distance)
 {
   return this->ask({ x, glm::dvec3(0.0), distance, SurfaceQuestion::Kind::ConvexEdge, {} }).found();
+}
+
+bool AskedSurface::isSeam(const glm::dvec3& place, const glm::dvec3& direction)
+{
+  return part_.hasBorders() &&
+    this->ask({ place, direction, part_.seamTolerance(), SurfaceQuestion::Kind::Seam, {} }).found();
 }
 
 } // namespace medial

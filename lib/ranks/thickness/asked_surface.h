@@ -42,6 +42,7 @@ public:
   SitePoint closest(const glm::dvec3& x, double limit) override;
   std::optional<RayEnd> opposite(const HalfLine& ray, const RayStart& start) override;
   bool nearConvexEdge(const glm::dvec3& x, double distance) override;
+  bool isSeam(const glm::dvec3& place, const glm::dvec3& direction) override;
   ///@}
 
 private:

@@ -205,6 +205,9 @@ SurfaceAnswer ThicknessPart::answer(const SurfaceQuestion& question) const
     case SurfaceQuestion::Kind::ConvexEdge:
       return own.nearConvexEdge(question.x, question.limit) ? SurfaceAnswer{ 0.0, {}, 0 }
                                                             : SurfaceAnswer{};
+    case SurfaceQuestion::Kind::Seam:
+      return own.isSeam(question.x, question.direction) ? SurfaceAnswer{ 0.0, {}, 0 }
+                                                        : SurfaceAnswer{};
     default:
       return {};
   }
@@ -227,6 +230,7 @@ std::vector<int> ThicknessPart::ranksToAsk(const SurfaceQuestion& question,
       return boxes_->ranksWith([&](const Box& box) { return ray.meets(box, question.limit); });
     }
     case SurfaceQuestion::Kind::ConvexEdge:
+    case SurfaceQuestion::Kind::Seam:
     {
       const double reach = roundedUp(question.limit);
       return own.found() ? std::vector<int>()

@@ -28,11 +28,12 @@ struct SurfaceQuestion
     None, ///< tells only that there is more to come
     Closest,
     Opposite,
-    ConvexEdge
+    ConvexEdge,
+    Seam
   };
 
   glm::dvec3 x{ 0.0 };
-  glm::dvec3 direction{ 0.0 }; ///< of a ray
+  glm::dvec3 direction{ 0.0 }; ///< of a ray, or to where a seam is seen from
   double limit = 0.0;          ///< what is farther away does not count
   Kind kind = Kind::None;
   RayStart start;
@@ -81,6 +82,10 @@ public:
 
   /// Returns the number in the whole of a place where a ray starts.
   RayStart numbered(const RayStart& start) const;
+  /// Whether the whole surface has edges of a single triangle.
+  bool hasBorders() const { return surface_.edgeCounts().boundary > 0; }
+  /// How near to a place a border must be, local units.
+  double seamTolerance() const { return SurfaceBorders::toleranceOf(diagonal_); }
   /// Returns a distance, local units, below which lies what may be as near by rounding.
   static double roundedUp(double distance);
   /// Returns what this rank's part of the surface answers.
