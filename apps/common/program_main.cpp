@@ -56,33 +56,6 @@ bool isLackOfThreads(const std::exception& error)
   return std::strstr(error.what(), std::strerror(EAGAIN)) != nullptr;
 }
 
-/// Reports the exception that is being handled; returns the exit code.
-int reportException()
-{
-  try
-  {
-    throw;
-  }
-  catch (const Failure& failure)
-  {
-    return report(failure.exitCode(), "", failure.what());
-  }
-  catch (const std::bad_alloc&)
-  {
-    return reportLackOfMemory();
-  }
-  catch (const std::exception& error)
-  {
-    return isLackOfThreads(error)
-      ? report(ExitCode::NoSpace, "no memory for another thread: ", error.what())
-      : reportFault(error.what());
-  }
-  catch (...)
-  {
-    return reportFault("an exception of an unknown type");
-  }
-}
-
 /// Ends the program where memory runs out, rather than by std::bad_alloc: VTK's constructors do not
 /// survive exceptions, and streams keep them to themselves.
 [[noreturn]] void endWithoutMemory()
@@ -115,9 +88,35 @@ int exitCodeOf(const std::function<void()>& work)
 
 } // namespace
 
-void muteReports(bool muted)
+int reportException()
 {
-  reportsMuted = muted;
+  try
+  {
+    throw;
+  }
+  catch (const Failure& failure)
+  {
+    return report(failure.exitCode(), "", failure.what());
+  }
+  catch (const std::bad_alloc&)
+  {
+    return reportLackOfMemory();
+  }
+  catch (const std::exception& error)
+  {
+    return isLackOfThreads(error)
+      ? report(ExitCode::NoSpace, "no memory for another thread: ", error.what())
+      : reportFault(error.what());
+  }
+  catch (...)
+  {
+    return reportFault("an exception of an unknown type");
+  }
+}
+
+void muteReports()
+{
+  reportsMuted = true;
 }
 
 void nameProcess(int rank)

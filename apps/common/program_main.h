@@ -15,7 +15,11 @@ int runProgram(const char* name, const std::function<void()>& work);
 /// Names one of several processes, for the line that says that it alone has run out of memory.
 void nameProcess(int rank);
 
-/// Whether this process prints no failure, since another one prints the same.
-void muteReports(bool muted);
+/// Reports the exception that is being handled, now.
+/// @return the exit code.
+int reportException();
+
+/// Prints no failures from now on, since this process or another one has printed the same.
+void muteReports();
 
 } // namespace medial::app

@@ -79,7 +79,7 @@ class RanksFailure(RankTest):
                               (("--padding", "0.0500000001"), ()),
                               ((), ("--version",))):
             self.expect_failure(self.run_with_own_options(first, second), 2,
-                                "^medial-axis: rank 1 has other options than rank 0$")
+                                "^medial-axis: rank 1 has other options than rank 0, or runs in another folder$")
 
     def test_options_that_are_wrong_on_one_rank(self):
         for wrong, text in ((("--bogus",), "unknown option --bogus"),
@@ -132,6 +132,24 @@ class RanksFailure(RankTest):
         options = f"{PROGRAM} torus.off --field a.pvti -o a.pvtp --sign none --resolution 60 {' '.join(SINGLE)}"
         command = (*LAUNCHER, "-np", "1", *options.split(), ":", "-np", "1", "sh", "-c", f"ulimit -f 60; exec {options}")
         self.expect_failure(self.run_command(*command), 5, "^medial-axis: rank 1: a_1.vti: cannot be written")
+
+    def test_a_report_that_nobody_gets(self):
+        """It is printed last: all ranks end, and the files stay."""
+        command = (*LAUNCHER, "-np", "2", "sh", "-c",
+                   f"exec {PROGRAM} torus.off --report - -o a.pvtp --resolution 20 {' '.join(SINGLE)} > /dev/full")
+        run = self.run_command(*command)
+        self.assertEqual(run.returncode, 5, run.stderr)
+        self.assertRegex(run.stderr, "^medial-axis: (rank 0: )?standard output: cannot be written: [^\n]*\n$")
+
+    def test_ranks_in_different_folders(self):
+        """Their pieces would not lie beside the index."""
+        (self.folder / "other").mkdir()
+        (self.folder / "other" / "torus.off").write_bytes((self.folder / "torus.off").read_bytes())
+        options = (PROGRAM, "torus.off", "-o", "a.pvtp", "--resolution", "20", *SINGLE)
+        run = self.run_command(*LAUNCHER, "-np", "1", *options, ":", "-np", "1", "-wdir", "other", *options)
+        self.assertEqual(run.returncode, 2, run.stderr)
+        self.assertRegex(run.stderr, "^medial-axis: rank 1 has other options than rank 0, or runs in another folder$")
+        self.assertEqual(self.files(), ["other", "torus.off"])
 
     def test_an_output_that_would_replace_a_piece_of_the_mesh(self):
         self.write_pieces(2)

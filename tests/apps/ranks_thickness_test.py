@@ -94,6 +94,22 @@ class RanksThickness(RankTest):
         self.assertEqual(lines[3], lines[1])
         self.run_well(2, "torus.off", "--min-thickness", "0.1", "-q")
 
+    def test_facets_with_equal_corners(self):
+        """They are edges of others, which are halved."""
+        points, faces = boxes(((0, 0, 0), (1, 0.9, 0.8)))
+        self.write(points, [*faces, [faces[0][0], faces[0][0], faces[0][1]]])
+        self.expect_same_thickness(3, "--thickness-method", "wall", "--max-edge", "0.3")
+        self.run_well(2, "torus.off", "--min-thickness", "0.1", "-q", *SINGLE)
+
+    def test_seams_of_walls(self):
+        """Faces that share no points, so that borders lie right beside each other, on all ranks."""
+        points, faces = boxes(((0, 0, 0), (1, 0.9, 0.8)))
+        loose = [[x + 1e-9 * (i % 5) for x in points[p]] for i, face in enumerate(faces) for p in face]
+        corners = iter(range(len(loose)))
+        self.write(loose, [[next(corners) for _ in face] for face in faces])
+        self.expect_same_thickness(3, "--thickness-method", "wall", "--max-edge", "0.3")
+        self.run_well(3, "torus.off", "--min-thickness", "0.5", "--max-edge", "0.3", "-q", *SINGLE)
+
     def test_limits_of_a_mesh_in_pieces(self):
         """The regions of the whole mesh, which no process holds."""
         self.write_pieces(4)

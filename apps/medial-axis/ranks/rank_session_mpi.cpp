@@ -226,15 +226,14 @@ public:
     {
       work();
     }
-    // Every rank has the same failure or fault.
     catch (const Failure&)
     {
-      muteReports(communicator_->rank() > 0);
+      this->reportOnFirst();
       throw;
     }
     catch (const RankFault&)
     {
-      muteReports(communicator_->rank() > 0);
+      this->reportOnFirst();
       throw;
     }
     catch (const std::bad_alloc&)
@@ -253,6 +252,18 @@ public:
 
 private:
   static constexpr char kFault[] = "a fault of the program: ";
+
+  /// Every rank has the same failure or fault. The others wait for the line of the first: once one
+  /// has ended, launchers kill those that take their time.
+  void reportOnFirst()
+  {
+    if (communicator_->rank() == 0)
+    {
+      reportException();
+    }
+    muteReports();
+    gathered(*communicator_, {});
+  }
 
   /// Ends all ranks, with a line.
   [[noreturn]] void abort(ExitCode code, const char* kind, const char* message)

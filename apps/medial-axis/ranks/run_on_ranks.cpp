@@ -24,6 +24,7 @@
 #include <array>
 #include <cstdint>
 #include <cstdio>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <utility>
@@ -73,9 +74,14 @@ void checkOptions(const Options& options)
 /// What must be the same on every rank.
 std::string textOf(const Options& options)
 {
-  std::string text = options.input.string() + '\n' + options.field.string() + '\n' +
-    options.output.string() + '\n' + options.report.string() + '\n';
-  text += options.thickness.string() + '\n' + options.thinRegions.string() + '\n';
+  std::string text = options.input.string() + '\n';
+  for (const auto& output :
+    { options.field, options.output, options.report, options.thickness, options.thinRegions })
+  {
+    // Pieces belong beside their index, wherever ranks run.
+    const bool isFile = !output.empty() && output != kStandardOutput;
+    text += (isFile ? std::filesystem::absolute(output) : output).string() + '\n';
+  }
   const auto lengthOf = [](const std::optional<Length>& length)
   { return length ? std::pair(length->value, length->percent) : std::pair(-1.0, false); };
   for (const auto& length : { options.minThickness, options.maxThickness, options.maxEdge,
@@ -110,7 +116,8 @@ void requireSameOptions(const std::optional<Options>& options, Communicator& com
     if (texts[rank] != texts.front())
     {
       throw Failure(ExitCode::Usage,
-        "rank " + std::to_string(rank) + " has other options than rank 0");
+        "rank " + std::to_string(rank) +
+          " has other options than rank 0, or runs in another folder");
     }
   }
 }
@@ -292,10 +299,7 @@ void runOnRanks(const Options& options, Communicator& communicator)
   outputs.commit();
   seconds.total = total.seconds();
   bar.clear();
-  if (communicator.rank() == 0)
-  {
-    tell(options, result, seconds);
-  }
+  withFailuresOfFirst(communicator, [&] { tell(options, result, seconds); });
   requireNoRegions(options, communicator, result);
 }
 

@@ -26,6 +26,19 @@ void numberPiece(const DistributedSurface& surface, SurfacePiece& piece)
   piece.weld = false;
 }
 
+/// Facets with equal corners have become segments and points of triangles' edges. They go, since
+/// the edges that are halved would no longer hold them.
+/// @throws Error InvalidInput for those of no triangle.
+void dropCollapsed(Communicator& communicator, SurfacePiece& piece)
+{
+  if (maximum(communicator, piece.mesh.segments.size() + piece.mesh.vertices.size()) > 0)
+  {
+    DistributedSurface(communicator, piece);
+    piece.mesh.segments.clear();
+    piece.mesh.vertices.clear();
+  }
+}
+
 /// Inserts corners of triangles without area into the edges they lie on, as in one process. A piece
 /// gets those of others.
 /// @return whether there were any.
@@ -108,6 +121,7 @@ PieceSubdivision subdivide(Communicator& communicator, const SurfacePiece& piece
       requireMaxEdge(maxEdge);
       const Checkpoint checkpoint(Run(execution), 0.0, "subdivision");
       result.piece = piece;
+      dropCollapsed(communicator, result.piece);
       for (int round = 0; round < kMaxInsertions; ++round)
       {
         if (!insertOnce(communicator, maxEdge, checkpoint, result))
