@@ -47,7 +47,7 @@ struct PatchMeasure
 /// Number of places at which a patch of so many triangles is tested for being inside another one.
 inline std::size_t probesOf(std::size_t triangles)
 {
-  constexpr std::size_t kProbes = 5;
+  constexpr std::size_t kProbes = 15;
   return triangles < kProbes ? triangles : kProbes;
 }
 
@@ -55,6 +55,13 @@ inline std::size_t probesOf(std::size_t triangles)
 inline std::size_t probedTriangle(std::size_t probe, std::size_t triangles)
 {
   return (2 * probe + 1) * triangles / (2 * probesOf(triangles));
+}
+
+/// Whether a patch is inside a solid in which so many of its places are. Solids that overlap have
+/// places inside each other, too.
+inline bool isContained(std::size_t inside, std::size_t places)
+{
+  return 5 * inside > 4 * places;
 }
 
 } // namespace medial

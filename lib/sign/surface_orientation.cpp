@@ -317,7 +317,7 @@ private:
       for (const auto& [solid, hit] : hits[patch])
       {
         const int smallest = result[patch];
-        if (2 * hit > probed && this->isSmaller(patch, solid) &&
+        if (isContained(hit, probed) && this->isSmaller(patch, solid) &&
           (smallest < 0 || this->isSmaller(solid, smallest)))
         {
           result[patch] = solid;

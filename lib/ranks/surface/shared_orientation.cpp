@@ -311,7 +311,7 @@ void SharedOrientation::chooseContainers(Communicator& communicator,
   std::vector<std::pair<int, int>> pairs;
   for (const auto& [pair, hit] : hits)
   {
-    if (2 * hit > probesOf(decided_[pair.first].triangles()))
+    if (isContained(hit, probesOf(decided_[pair.first].triangles())))
     {
       pairs.push_back(pair);
     }
