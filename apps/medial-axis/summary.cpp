@@ -247,6 +247,49 @@ void printBranchNote(const Options& options, const Result& result)
   }
 }
 
+/// The sum of the genera of a closed surface's components.
+std::int64_t genusOf(const Result& result)
+{
+  const IncidenceLists& edges = result.connectivity.pointEdges;
+  std::int64_t characteristic = static_cast<std::int64_t>(result.mesh.triangles.size()) -
+    static_cast<std::int64_t>(result.connectivity.edges.size());
+  for (int point = 0; point < edges.rows(); ++point)
+  {
+    characteristic += edges.size(point) > 0 ? 1 : 0;
+  }
+  return result.connectivity.components - characteristic / 2;
+}
+
+// Where the solid is narrower than the grid shows, and the mesh tells that something is missing.
+void printCutNote(const Options& options, const Result& result)
+{
+  const MeshFigures& mesh = result.meshFigures;
+  if (options.side != Side::Interior || !mesh.closed || !mesh.manifold)
+  {
+    return;
+  }
+  const CellTopology topology = topologyOf(*result.skeleton);
+  std::string found;
+  if (topology.components > mesh.components)
+  {
+    found = "falls into " + std::to_string(topology.components) +
+      " components, while the mesh has " + std::to_string(mesh.components);
+  }
+  else if (const std::int64_t genus = genusOf(result);
+           mesh.components == 1 && topology.genus < genus)
+  {
+    found = "has " + counted(topology.genus, "loop", "loops") + ", while the solid has " +
+      std::to_string(genus);
+  }
+  if (!found.empty())
+  {
+    std::fprintf(stderr,
+      "medial-axis: note: %s: the skeleton %s: the grid may miss what is narrower than a voxel; a "
+      "finer one would show it\n",
+      options.input.c_str(), found.c_str());
+  }
+}
+
 void printSkeletonNote(const Options& options, const Skeleton& skeleton)
 {
   if (skeleton.openedCavities > 0)
@@ -359,6 +402,7 @@ void printNotes(const Options& options, const Result& result, const OutputNotes&
     {
       printBranchNote(options, result);
     }
+    printCutNote(options, result);
     printSkeletonNote(options, *result.skeleton);
   }
   if (options.hasThicknessLimits())

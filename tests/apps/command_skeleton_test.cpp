@@ -15,6 +15,7 @@
 #include <vtkPolyData.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <sstream>
@@ -171,6 +172,62 @@ TEST_F(CommandSkeleton, IsDrawnInPictures)
   EXPECT_TRUE(contains(axis, "p.png: picture of axis and surface"));
   EXPECT_TRUE(contains(skeleton, "p.png: picture of skeleton and surface"));
   EXPECT_GT(withDots, withoutDots + 4 * 50); // three ends and a junction
+}
+
+/// A solid of revolution about z, 6 long: thicker at its ends, with a neck in the middle.
+TriangleMesh withNeck(double radius)
+{
+  constexpr int kRings = 40;
+  constexpr int kSides = 16;
+  const double turn = 2.0 * std::acos(-1.0);
+  std::vector<Point3> points{ { 0.0, 0.0, -3.0 }, { 0.0, 0.0, 3.0 } };
+  std::vector<std::array<int, 3>> triangles;
+  for (int ring = 0; ring < kRings; ++ring)
+  {
+    const double z = 6.0 * ring / (kRings - 1) - 3.0;
+    const double r = 1.0 - (1.0 - radius) * std::exp(-4.0 * z * z);
+    for (int side = 0; side < kSides; ++side)
+    {
+      points.push_back(
+        { r * std::cos(turn * side / kSides), r * std::sin(turn * side / kSides), z });
+      const int a = 2 + ring * kSides + side;
+      const int b = 2 + ring * kSides + (side + 1) % kSides;
+      if (ring > 0)
+      {
+        triangles.push_back({ a - kSides, b - kSides, b });
+        triangles.push_back({ a - kSides, b, a });
+      }
+      if (ring == 0 || ring == kRings - 1)
+      {
+        triangles.push_back({ ring == 0 ? 0 : 1, ring == 0 ? b : a, ring == 0 ? a : b });
+      }
+    }
+  }
+  return makeMesh(points, triangles);
+}
+
+TEST_F(CommandSkeleton, ANoteTellsThatTheGridCutsIt)
+{
+  const std::string necked = folder.file("necked.obj");
+  writeFile(necked, objText(withNeck(0.1)));
+  const std::string skeleton = folder.file("s.vtp");
+  const Outcome coarse = runMedialAxis({ necked, "--resolution", "22", "--skeleton", skeleton });
+  ASSERT_EQ(coarse.exitCode, 0) << coarse.err;
+  EXPECT_TRUE(contains(coarse.out, "2 components")) << coarse.out;
+  EXPECT_TRUE(contains(coarse.err,
+    "the skeleton falls into 2 components, while the mesh has 1: the grid may miss what is "
+    "narrower "
+    "than a voxel"))
+    << coarse.err;
+  const Outcome fine = runMedialAxis({ necked, "--resolution", "120", "--skeleton", skeleton });
+  EXPECT_EQ(fine.err, "");
+  const std::string ring = folder.file("ring.obj");
+  writeFile(ring, objText(torus(1.0, 0.05, 60, 12)));
+  const Outcome opened = runMedialAxis({ ring, "--resolution", "20", "--skeleton", skeleton });
+  EXPECT_EQ(contains(opened.err, "loops, while the solid has 1") ||
+      contains(opened.err, "components, while the mesh has 1"),
+    !contains(opened.out, "1 loop, 1 component"))
+    << opened.out << opened.err;
 }
 
 TEST_F(CommandSkeleton, OptionsChangeIt)
