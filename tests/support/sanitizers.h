@@ -5,9 +5,9 @@ namespace medial::test
 {
 
 #if defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define MEDIAL_UNDER_ADDRESS_SANITIZER
-#endif
+#  if __has_feature(address_sanitizer)
+#    define MEDIAL_UNDER_ADDRESS_SANITIZER
+#  endif
 #endif
 
 #if defined(__SANITIZE_ADDRESS__) || defined(MEDIAL_UNDER_ADDRESS_SANITIZER)
