@@ -33,7 +33,7 @@ void dropCollapsed(Communicator& communicator, SurfacePiece& piece)
 {
   if (maximum(communicator, piece.mesh.segments.size() + piece.mesh.vertices.size()) > 0)
   {
-    DistributedSurface(communicator, piece);
+    const DistributedSurface checked(communicator, piece);
     piece.mesh.segments.clear();
     piece.mesh.vertices.clear();
   }
