@@ -10,7 +10,7 @@
 namespace medial::test
 {
 
-inline const double kPi = std::acos(-1.0);
+constexpr double kPi = 3.14159265358979323846; // a constant even before other files are initialised
 
 inline double degrees(double radians)
 {

@@ -12,7 +12,7 @@ namespace medial::test
 namespace
 {
 
-const double kPi = std::acos(-1.0);
+constexpr double kPi = 3.14159265358979323846;
 
 using Point2 = std::array<double, 2>;
 

@@ -13,7 +13,7 @@ namespace medial::test
 namespace
 {
 
-const double kDegree = kPi / 180.0;
+constexpr double kDegree = kPi / 180.0;
 
 void scale(Point3& a, double factor)
 {

@@ -13,7 +13,7 @@ namespace medial::test
 namespace
 {
 
-const double kPi = std::acos(-1.0);
+constexpr double kPi = 3.14159265358979323846;
 
 Bounds cubeAround(double halfSide)
 {
