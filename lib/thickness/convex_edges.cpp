@@ -1,9 +1,8 @@
 #include "thickness/convex_edges.h"
 
-#include "base/segment_distance.h"
-
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace medial
 {
@@ -21,13 +20,14 @@ constexpr double kReach = 0.25;
 
 ConvexEdges::ConvexEdges(const SiteSet& sites, const SharpFeatures& sharp)
 {
+  std::vector<glm::dvec3> points;
   std::vector<char> tips = sharp.points;
   for (const int edge : sharp.edges)
   {
     for (int end = 0; end < 2; ++end)
     {
       const int point = sites.edges()[edge][end];
-      points_.push_back(sites.points()[point]);
+      points.push_back(sites.points()[point]);
       tips[point] = 0;
     }
   }
@@ -35,39 +35,15 @@ ConvexEdges::ConvexEdges(const SiteSet& sites, const SharpFeatures& sharp)
   {
     if (tips[point])
     {
-      points_.insert(points_.end(), 2, sites.points()[point]);
+      points.insert(points.end(), 2, sites.points()[point]);
     }
   }
-  std::vector<glm::ivec3> ends;
-  for (int first = 0; first < static_cast<int>(points_.size()); first += 2)
-  {
-    ends.emplace_back(first, first + 1, first + 1);
-  }
-  if (!ends.empty())
-  {
-    tree_.build(points_, ends);
-  }
+  segments_.build(std::move(points));
 }
 
 bool ConvexEdges::isNear(const glm::dvec3& x, double distance) const
 {
-  if (points_.empty())
-  {
-    return false;
-  }
-  const double limit = distance * distance;
-  bool found = false;
-  tree_.visitLeaves([&](const Box& box)
-    { return !found && box.squaredDistance(x) <= limit * Box::kRoundedUp; },
-    [&](const BoxTree::Node& leaf)
-    {
-      for (int slot = leaf.first; slot < leaf.first + leaf.count; ++slot)
-      {
-        const int first = 2 * tree_.elements()[slot];
-        found = found || squaredDistanceToSegment(x, points_[first], points_[first + 1]) <= limit;
-      }
-    });
-  return found;
+  return segments_.isNear(x, distance, [](int) { return true; });
 }
 
 bool isExplainedByEdge(const glm::dvec3& place, const glm::dvec3& normal,

@@ -1,13 +1,11 @@
 #pragma once
 
-#include "base/box_tree.h"
 #include "sites/site_set.h"
+#include "thickness/segment_tree.h"
 #include "thickness/sharp_features.h"
 #include "thickness/surface_answers.h"
 
 #include <glm/glm.hpp>
-
-#include <vector>
 
 namespace medial
 {
@@ -23,8 +21,7 @@ public:
   bool isNear(const glm::dvec3& x, double distance) const;
 
 private:
-  std::vector<glm::dvec3> points_; ///< two of every edge; a tip twice
-  BoxTree tree_;
+  SegmentTree segments_; ///< a tip has both ends
 };
 
 /// Tells whether the solid is thin at a place only because two of its faces meet at a convex edge

@@ -1,6 +1,6 @@
 #include "thickness/surface_borders.h"
 
-#include "base/segment_distance.h"
+#include <utility>
 
 namespace medial
 {
@@ -16,7 +16,7 @@ SurfaceBorders::SurfaceBorders(const SiteSet& sites, const MeshConnectivity& con
   double diagonal, double sign, const std::vector<char>& complete)
   : tolerance_(toleranceOf(diagonal))
 {
-  std::vector<glm::ivec3> ends;
+  std::vector<glm::dvec3> points;
   const IncidenceLists& faces = connectivity.edgeTriangles;
   for (int edge = 0; edge < static_cast<int>(sites.edges().size()); ++edge)
   {
@@ -26,39 +26,17 @@ SurfaceBorders::SurfaceBorders(const SiteSet& sites, const MeshConnectivity& con
     {
       continue;
     }
-    const auto first = static_cast<int>(points_.size());
-    points_.push_back(sites.points()[corners[0]]);
-    points_.push_back(sites.points()[corners[1]]);
+    points.push_back(sites.points()[corners[0]]);
+    points.push_back(sites.points()[corners[1]]);
     inward_.push_back(-sign * sites.faceNormal(*faces.begin(edge)));
-    ends.emplace_back(first, first + 1, first + 1);
   }
-  if (!ends.empty())
-  {
-    tree_.build(points_, ends);
-  }
+  segments_.build(std::move(points));
 }
 
 bool SurfaceBorders::isSeam(const glm::dvec3& place, const glm::dvec3& direction) const
 {
-  if (points_.empty())
-  {
-    return false;
-  }
-  const double limit = tolerance_ * tolerance_;
-  bool found = false;
-  tree_.visitLeaves([&](const Box& box)
-    { return !found && box.squaredDistance(place) <= limit * Box::kRoundedUp; },
-    [&](const BoxTree::Node& leaf)
-    {
-      for (int slot = leaf.first; slot < leaf.first + leaf.count; ++slot)
-      {
-        const int edge = tree_.elements()[slot];
-        found = found ||
-          (glm::dot(inward_[edge], direction) < kTurned &&
-            squaredDistanceToSegment(place, points_[2 * edge], points_[2 * edge + 1]) <= limit);
-      }
-    });
-  return found;
+  return segments_.isNear(place, tolerance_,
+    [&](int edge) { return glm::dot(inward_[edge], direction) < kTurned; });
 }
 
 } // namespace medial

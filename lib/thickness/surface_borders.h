@@ -1,8 +1,8 @@
 #pragma once
 
-#include "base/box_tree.h"
 #include "medial/mesh_connectivity.h"
 #include "sites/site_set.h"
+#include "thickness/segment_tree.h"
 
 #include <glm/glm.hpp>
 
@@ -33,9 +33,8 @@ public:
 
 private:
   double tolerance_;
-  std::vector<glm::dvec3> points_; ///< two of every edge
+  SegmentTree segments_;
   std::vector<glm::dvec3> inward_; ///< per edge, of unit length
-  BoxTree tree_;
 };
 
 } // namespace medial
