@@ -1,5 +1,6 @@
 #include "support/medial_truth.h"
 
+#include "support/point_math.h"
 #include "support/shapes.h"
 
 #include <array>
@@ -10,8 +11,6 @@ namespace medial::test
 
 namespace
 {
-
-constexpr double kPi = 3.14159265358979323846;
 
 /// Collects polygons and polylines by their coordinates.
 class Pieces

@@ -1,5 +1,7 @@
 #include "support/shapes.h"
 
+#include "support/point_math.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,8 +13,6 @@ namespace medial::test
 
 namespace
 {
-
-constexpr double kPi = 3.14159265358979323846;
 
 using Point2 = std::array<double, 2>;
 

@@ -1,6 +1,7 @@
 #include "support/uneven_meshes.h"
 
 #include "support/brute_force.h"
+#include "support/point_math.h"
 #include "support/shapes.h"
 
 #include <array>
@@ -12,8 +13,6 @@ namespace medial::test
 
 namespace
 {
-
-constexpr double kPi = 3.14159265358979323846;
 
 Bounds cubeAround(double halfSide)
 {
